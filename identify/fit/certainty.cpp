@@ -237,20 +237,32 @@ std::string LoudestPart(const ModelErrorEstimate& estimate, Index judged) {
 
 }  // namespace
 
-Eigen::VectorXd Certainty::MissingSd() const {
-  constexpr double kBeyond = 1.25;
-  return kBeyond / covariance.reach_95 * by_missing.rowwise().sum();
+Eigen::VectorXd Certainty::MovedByMissing() const {
+  if (missing.empty()) return Eigen::VectorXd::Zero(total_sd.size());
+  return by_missing.rowwise().sum();
 }
 
-void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved) {
+double Certainty::SdAboutEnds(Index parameter) const {
+  const double moved = MovedByMissing()[parameter];
+  return std::sqrt(std::max(0.0, total_sd[parameter] * total_sd[parameter] - moved * moved / 3));
+}
+
+void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left) {
   missing = std::move(names);
   by_missing = std::move(moved);
-  const Eigen::VectorXd sd = MissingSd();
-  for (const Index j : judged) {
-    model_sd[j] = std::hypot(model_sd[j], sd[j]);
-    total_sd[j] = std::hypot(total_sd[j], sd[j]);
+  // Second moment about one end of what is uniform between both.
+  const Eigen::VectorXd uniform = MovedByMissing() / std::sqrt(3.0);
+  const Eigen::MatrixXd before = WithDeviations(model_error.covariance, model_sd(judged));
+  Eigen::VectorXd after(std::ssize(judged));
+  for (Index row = 0; row < after.size(); ++row) {
+    const Index j = judged[static_cast<std::size_t>(row)];
+    after[row] = std::min(model_sd[j], left.is_significant ? left.reach[row] / covariance.reach_95 : 0);
+    // With even odds the additions are the physics, or look like it.
+    model_sd[j] = std::sqrt((model_sd[j] * model_sd[j] + after[row] * after[row]) / 2 + uniform[j] * uniform[j]);
+    total_sd[j] = std::hypot(noise_sd[j], held_sd[j], model_sd[j]);
   }
-  total_covariance += sd(judged) * sd(judged).transpose();
+  total_covariance +=
+      (WithDeviations(left.covariance, after) - before) / 2 + uniform(judged) * uniform(judged).transpose();
 }
 
 std::string Certainty::LimitedBy(Index parameter) const {
@@ -258,7 +270,7 @@ std::string Certainty::LimitedBy(Index parameter) const {
   if (place == judged.end()) return "";
   const double noise = noise_sd[parameter];
   if (model_sd[parameter] > std::max(noise, held_sd[parameter])) {
-    if (!missing.empty() && 2 * std::pow(MissingSd()[parameter], 2) > std::pow(model_sd[parameter], 2)) {
+    if (2 * std::pow(MovedByMissing()[parameter], 2) / 3 > std::pow(model_sd[parameter], 2)) {
       Index largest = 0;
       by_missing.row(parameter).cwiseAbs().maxCoeff(&largest);
       return "missing: " + missing[static_cast<std::size_t>(largest)];
@@ -411,6 +423,12 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
   }
   AddCovariances(of_held, certainty);
   return certainty;
+}
+
+ModelErrorEstimate ModelErrorLeft(const VehicleObjective& objective, const Lattice& lattice,
+                                  const RefineResult& explained, const RobustLoss& loss,
+                                  const std::vector<Index>& judged) {
+  return Optimum(objective, lattice, explained, loss, {}).ModelError(judged);
 }
 
 }  // namespace fourpost

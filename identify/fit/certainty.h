@@ -68,15 +68,18 @@ struct Certainty {
   Eigen::MatrixXd by_held;
   std::vector<CalibrationEstimate> calibrations;
   /// In words, what the model lacks by its own residuals, and by what each would move the free parameters, n x
-  /// additions in FitVariables; part of `model_sd`.
+  /// additions in FitVariables; empty: nothing is known of that.
   std::vector<std::string> missing;
   Eigen::MatrixXd by_missing;
 
-  /// Widens the intervals so that they reach to where the parameters would be with all of `names` added, and beyond by
-  /// a quarter of that way: it is known to first order. `moved`: see `by_missing`.
-  void AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved);
-  /// The part of `model_sd` that is from there, signed.
-  Eigen::VectorXd MissingSd() const;
+  /// Changes `model_sd` to that of a parameter which lies anywhere between its value and where it would be with all of
+  /// `names` added, and of parts of the data that contradict each other as before or, with even odds, as in `left`, see
+  /// ModelErrorLeft(). `moved`: see `by_missing`.
+  void AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left);
+  /// By all that is missing, n; zero where nothing is known.
+  Eigen::VectorXd MovedByMissing() const;
+  /// `total_sd` about the value, or about where the parameter would be with what is missing.
+  double SdAboutEnds(Eigen::Index parameter) const;
 
   /// What most of a parameter's deviation comes from: "noise"; "model: " and the part of the data that pulls it most;
   /// "held: " and the parameter, or "calibration: " and the instrument, that moves it most. Empty for one without a
@@ -122,6 +125,12 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
                       const RobustLoss& loss, const std::vector<ParameterState>& states,
                       const Eigen::MatrixXd& input_noise, const HeldParameters& held,
                       const std::optional<Calibrated>& calibrated = {});
+
+/// What parts of the data still contradict each other in once what the model lacks is taken from its residuals.
+/// `explained`: the residuals that are then left, priors included, with the values and the derivatives of the fit.
+ModelErrorEstimate ModelErrorLeft(const VehicleObjective& objective, const Lattice& lattice,
+                                  const RefineResult& explained, const RobustLoss& loss,
+                                  const std::vector<Eigen::Index>& judged);
 
 /// Whether a value is at a bound of its range: refinement stops at steps of 1e-8.
 bool IsAtBound(const LatticeAxis& axis, double value);

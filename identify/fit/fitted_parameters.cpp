@@ -21,15 +21,17 @@ void DescribeCertainty(const Certainty& certainty, Eigen::Index k, double slope,
   fitted.model_sd = slope * certainty.model_sd[k];
   fitted.limited_by = certainty.LimitedBy(k);
   const double range = fitted.upper - fitted.lower;
-  const auto end = [&](double sd, int side) {
-    const double reach = side * certainty.covariance.reach_95 * sd;
+  const double moved = certainty.MovedByMissing()[k];
+  // `from`: in FitVariables.
+  const auto end = [&](double from, double sd, int side) {
+    const double reach = from + side * certainty.covariance.reach_95 * sd;
     return is_logarithmic ? fitted.value * std::exp(reach) : fitted.value + reach * range;
   };
   // Noise may reach beyond the range that the file gives; what the model lacks is not known so well.
   const double noise = certainty.noise_sd[k];
-  const double total = certainty.total_sd[k];
-  fitted.lower_95 = std::max(end(total, -1), std::min(end(noise, -1), fitted.lower));
-  fitted.upper_95 = std::min(end(total, 1), std::max(end(noise, 1), fitted.upper));
+  const double total = certainty.SdAboutEnds(k);
+  fitted.lower_95 = std::max(end(std::min(0.0, moved), total, -1), std::min(end(0, noise, -1), fitted.lower));
+  fitted.upper_95 = std::min(end(std::max(0.0, moved), total, 1), std::max(end(0, noise, 1), fitted.upper));
   if (!std::isfinite(fitted.sd)) return;
   fitted.lower_95 = std::max(fitted.lower_95, physical.least);
   fitted.upper_95 = std::min(fitted.upper_95, physical.greatest);
@@ -66,13 +68,19 @@ std::vector<FittedParameter> DescribeParameters(const VehicleObjective& objectiv
   return out;
 }
 
-void AllowForMissing(const VehicleObjective& objective, std::vector<std::string> names, Eigen::MatrixXd moved,
-                     FitResult& fit) {
-  if (!fit.certainty || fit.certainty->judged.empty() || names.empty()) return;
-  fit.certainty->AllowForMissing(std::move(names), std::move(moved));
-  Eigen::VectorXd values(std::ssize(fit.parameters));
-  for (Eigen::Index j = 0; j < values.size(); ++j) values[j] = fit.parameters[static_cast<std::size_t>(j)].value;
-  fit.parameters = DescribeParameters(objective, objective.MakeProblem().lattice, values, fit.certainty);
+void AllowForMissing(const VehicleObjective& objective, MissingPhysics missing, FitResult& fit) {
+  if (!fit.certainty || fit.certainty->judged.empty() || missing.names.empty()) return;
+  const Lattice lattice = objective.MakeProblem().lattice;
+  RefineResult explained;
+  explained.values.resize(std::ssize(fit.parameters));
+  for (Eigen::Index j = 0; j < explained.values.size(); ++j)
+    explained.values[j] = fit.parameters[static_cast<std::size_t>(j)].value;
+  explained.residuals = std::move(missing.residuals);
+  explained.jacobian = std::move(missing.jacobian);
+  const ModelErrorEstimate left =
+      ModelErrorLeft(objective, lattice, explained, fit.options.refine.loss, fit.certainty->judged);
+  fit.certainty->AllowForMissing(std::move(missing.names), std::move(missing.moved), left);
+  fit.parameters = DescribeParameters(objective, lattice, explained.values, fit.certainty);
 }
 
 }  // namespace fourpost

@@ -15,9 +15,18 @@ std::vector<FittedParameter> DescribeParameters(const VehicleObjective& objectiv
                                                 const Eigen::VectorXd& values,
                                                 const std::optional<Certainty>& certainty);
 
-/// Widens the intervals of a fit by what its model lacks, see Certainty::AllowForMissing(); nothing where the fit has
-/// none.
-void AllowForMissing(const VehicleObjective& objective, std::vector<std::string> names, Eigen::MatrixXd moved,
-                     FitResult& fit);
+/// What a model lacks by its own residuals.
+struct MissingPhysics {
+  std::vector<std::string> names;
+  /// See Certainty::by_missing.
+  Eigen::MatrixXd moved;
+  /// What is left with it, priors included, and the derivatives at the fitted values, N x n in FitVariables.
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd jacobian;
+};
+
+/// Lets the intervals of a fit reach from its values to where they would be with what is missing, see
+/// Certainty::AllowForMissing(). Leaves a fit without intervals as it is, or where nothing is missing.
+void AllowForMissing(const VehicleObjective& objective, MissingPhysics missing, FitResult& fit);
 
 }  // namespace fourpost

@@ -137,22 +137,43 @@ std::string MostLikelyMissing(const Json& result) {
   return missing.empty() ? "" : " The model most probably lacks " + AdditionText(missing.front()) + '.';
 }
 
+/// "<code>k</code> +11 %, ..."
+std::string MovesOf(const Json& one) {
+  std::string moves;
+  for (const Json& moved : ListAt(one, "moves"))
+    moves += (moves.empty() ? "" : ", ") + Code(TextAt(moved, "name")) + ' ' +
+             (NumberAt(moved, "percent") > 0 ? "+" : "") + ShownNumber(NumberAt(moved, "percent"), 2) + " %";
+  return moves;
+}
+
+/// What additions would do together.
+std::string TogetherOf(const Json& result) {
+  const Json together =
+      result.value("missing", Json()).is_object() ? result["missing"].value("together", Json()) : Json();
+  std::string words;
+  for (const Json& one : ListAt(together, "additions"))
+    if (one.is_string()) words += (words.empty() ? "" : "; ") + html::Escaped(one.get<std::string>());
+  const std::string moves = MovesOf(together);
+  if (words.empty() || moves.empty()) return "";
+  return html::Element("p", "",
+                       "Together (" + words + ") they would move the parameters, and the intervals reach there: " +
+                           moves + ". " + Code("fourpost fit --grow") + " adds step by step what lowers BIC.");
+}
+
 /// All that the fit names, each with what it would change.
 std::string WhatIsMissing(const Json& result) {
   std::string items;
   for (const Json& one : MissingOf(result)) {
-    std::string moves;
-    for (const Json& moved : ListAt(one, "moves"))
-      moves += (moves.empty() ? "; moves " : ", ") + Code(TextAt(moved, "name")) + ' ' +
-               (NumberAt(moved, "percent") > 0 ? "+" : "") + ShownNumber(NumberAt(moved, "percent"), 2) + " %";
-    items += html::Element(
-        "li", "",
-        AdditionText(one) + ": lowers the cost by " + ShownNumber(NumberAt(one, "fall_percent"), 2) + " %" + moves);
+    const std::string moves = MovesOf(one);
+    items += html::Element("li", "",
+                           AdditionText(one) + ": lowers the cost by " + ShownNumber(NumberAt(one, "fall_percent"), 2) +
+                               " %" + (moves.empty() ? "" : "; moves " + moves));
   }
-  if (!items.empty()) return "Each alone, by its expected gain:" + html::Element("ul", "", items);
+  const std::string together = TogetherOf(result);
+  if (!items.empty()) return "Each alone, by its expected gain:" + html::Element("ul", "", items) + together;
   const double tried = NumberAt(result.value("missing", Json()), "tried");
-  return std::isfinite(tried) ? "Of " + ShownDecimals(tried, 0) + " additions to the model none explains the residuals."
-                              : "";
+  if (!together.empty() || !std::isfinite(tried) || !(MisfitOf(result) > kMisses)) return together;
+  return "Of " + ShownDecimals(tried, 0) + " additions to the model none explains the residuals.";
 }
 
 Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {

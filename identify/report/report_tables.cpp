@@ -217,7 +217,7 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
   const bool has_sd =
       std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.IsJudged(); });
   const bool lacks = std::any_of(parameters.begin(), parameters.end(), [](const ReportedParameter& parameter) {
-    return parameter.limited_by.starts_with("model");
+    return parameter.limited_by.starts_with("model") || parameter.limited_by.starts_with("missing");
   });
   Rows rows;
   for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter, has_sd));

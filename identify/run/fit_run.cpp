@@ -112,11 +112,20 @@ Eigen::VectorXd FreeValues(const LoadedStudy& loaded, const FitResult& fit) {
   return values;
 }
 
+bool IsLarge(const FitResult& fit) { return fit.Misfit() > kLargeMisfit; }
+
 /// Of additions that explain the residuals together.
 std::vector<std::string> WordsTogether(const Suggestions& found) {
   std::vector<std::string> words;
   for (const std::size_t place : found.together) words.push_back(found.list[place].addition.words);
   return words;
+}
+
+MissingPhysics WhatIsMissing(const Suggestions& found) {
+  return {.names = WordsTogether(found),
+          .moved = found.moved_together,
+          .residuals = found.left_together,
+          .jacobian = found.jacobian};
 }
 
 /// By what additions together would move the parameters, in per cent as of SuggestionJson().
@@ -129,12 +138,13 @@ nlohmann::ordered_json TogetherJson(const Suggestions& found) {
   return {{"additions", words}, {"moves", moves}};
 }
 
-/// What is worth adding, at most three; null where that was not looked for.
-nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, const LoadedStudy& loaded) {
+/// What is worth adding, at most three and where the misfit is large; null where that was not looked for.
+nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, const LoadedStudy& loaded,
+                                   const FitResult& fit) {
   constexpr std::size_t kMost = 3;
   if (!found) return nullptr;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < std::min(kMost, found->Worthwhile()); ++i)
+  for (std::size_t i = 0; IsLarge(fit) && i < std::min(kMost, found->Worthwhile()); ++i)
     list.push_back(SuggestionJson(found->list[i], i + 1, loaded));
   return {{"tried", found->tried}, {"suggestions", list}, {"together", TogetherJson(*found)}};
 }
@@ -252,7 +262,8 @@ class Fitter {
   /// What could be added to the vehicle, where there is reason to look.
   std::optional<Suggestions> Missing(const LoadedStudy& loaded, const FitResult& fit) const {
     if (!request_.name_missing || fit.end != FitEnd::kConverged || !loaded.HasDeviations()) return std::nullopt;
-    if (!(fit.Misfit() > kLargeMisfit)) return std::nullopt;
+    const bool is_contradicted = fit.certainty && fit.certainty->model_error.is_significant;
+    if (!IsLarge(fit) && !is_contradicted) return std::nullopt;
     Suggestions found = SuggestFor(loaded, FreeValues(loaded, fit), request_.threads, hooks_.work);
     if (found.is_interrupted) {
       hooks_.work.Note("interrupted while looking for what the vehicle lacks; `fourpost suggest` looks again");
@@ -264,7 +275,7 @@ class Fitter {
   /// result.json goes last into the folder.
   void Write(const LoadedStudy& loaded, std::uint64_t seed, OutputFolder& output, FitRun& run) {
     const std::optional<Suggestions> missing = Missing(loaded, run.fit);
-    if (missing) AllowForMissing(loaded.MakeObjective(), WordsTogether(*missing), missing->moved_together, run.fit);
+    if (missing) AllowForMissing(loaded.MakeObjective(), WhatIsMissing(*missing), run.fit);
     const FitResult& fit = run.fit;
     const Subject subject = loaded.MakeSubject();
     if (fit.end != FitEnd::kInterrupted) {
@@ -282,7 +293,7 @@ class Fitter {
     if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
       ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
     const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
-    results.json["missing"] = MissingJson(missing, loaded);
+    results.json["missing"] = MissingJson(missing, loaded, fit);
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;

@@ -170,16 +170,39 @@ std::string Summary(const FitResult& fit, const FitVerdict& verdict) {
          '\n' + SearchText(fit);
 }
 
+/// "c_bump -15 %, k +11 %"
+std::string MovesText(const nlohmann::ordered_json& moves) {
+  constexpr std::size_t kShown = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, moves.size()); ++i)
+    text += (text.empty() ? "" : ", ") + moves[i]["name"].get<std::string>() + ' ' +
+            (moves[i]["percent"].get<double>() > 0 ? "+" : "") + Rounded(moves[i]["percent"], 2) + " %";
+  return text + (moves.size() > kShown ? ", ..." : "");
+}
+
+/// What additions together would do to the parameters.
+std::string TogetherText(const nlohmann::ordered_json& together) {
+  if (together["additions"].empty() || together["moves"].empty()) return "";
+  std::string text = "Together these would move the parameters, and the intervals reach there:\n";
+  for (const auto& one : together["additions"]) text += "  + " + one.get<std::string>() + '\n';
+  return text + "  " + MovesText(together["moves"]) +
+         "\n  `fourpost fit STUDY -o DIR --grow` adds step by step what lowers BIC, and fits again.\n";
+}
+
 /// "  dry friction beside damper 'front', 149 N: lowers the cost by 48 %"
-std::string MissingText(const nlohmann::ordered_json& missing) {
+std::string MissingText(const nlohmann::ordered_json& missing, bool is_large) {
   if (missing.is_null()) return "";
+  const std::string together = TogetherText(missing["together"]);
   if (missing["suggestions"].empty())
-    return "Of " + FormatNumber(missing["tried"].get<double>()) + " additions to the model none explains it.\n";
+    return (is_large && together.empty()
+                ? "Of " + FormatNumber(missing["tried"].get<double>()) + " additions to the model none explains it.\n"
+                : "") +
+           together;
   std::string text = "The model probably lacks, each alone (`fourpost suggest` lists all):\n";
   for (const auto& one : missing["suggestions"])
     text += "  " + one["text"].get<std::string>() + ", " + one["expected"].get<std::string>() +
             ": lowers the cost by " + Rounded(one["fall_percent"], 2) + " %\n";
-  return text;
+  return text + together;
 }
 
 /// How large the residuals are, what could explain them, and the direction that the data determine least.
@@ -193,7 +216,7 @@ std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missin
            ? "Standard deviations follow from what the study states: state smaller ones, such as "
              "'model_error'.\n"
            : "") +
-      MissingText(missing);
+      MissingText(missing, fit.Misfit() > kLargeMisfit);
   if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
   text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";

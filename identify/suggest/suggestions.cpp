@@ -32,6 +32,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double kAlike = 0.95;
+/// Of how many additions all is evaluated truly.
+constexpr std::size_t kConfirmed = 12;
 
 std::string FirstErrorOf(const Diagnostics& diagnostics) {
   for (const Diagnostic& item : diagnostics.items())
@@ -288,8 +290,7 @@ class Suggester {
 
   /// The first of the list, evaluated truly with the parameters following; others of less promise stay as they are.
   void Confirm(const FollowedCost& fitted, double before, std::vector<Trial*>& list) {
-    constexpr std::size_t kMost = 12;
-    const std::size_t count = std::min(list.size(), kMost);
+    const std::size_t count = std::min(list.size(), kConfirmed);
     std::vector<int> evaluated(count);
     ForEachInParallel(count, threads_, [&](std::size_t i) {
       ScoreTest& test = *list[i]->test;
@@ -331,18 +332,21 @@ class Suggester {
       }
   }
 
-  /// Those worth adding are the first of the list.
+  /// Of those that were confirmed. Errors within the stated ones may well have a pattern: it cannot be held against the
+  /// model, but parameters follow it.
   void Join(const FollowedCost& fitted, const std::vector<Trial*>& list) {
+    if (result_.is_interrupted) return;
     std::vector<Eigen::VectorXd> with;
-    for (std::size_t i = 0; i < result_.Worthwhile(); ++i) with.push_back(list[i]->test->left);
-    if (with.empty() || result_.is_interrupted) return;
+    for (std::size_t i = 0; i < std::min(kConfirmed, list.size()); ++i) with.push_back(list[i]->test->left);
     const auto pays = [&](double before, const Eigen::VectorXd& left, std::size_t place) {
       const double effective = EffectiveResiduals(left.head(result_.residuals), structure_);
-      return CriterionChange(before, left.squaredNorm(), result_.residuals, effective, list[place]->addition.count,
-                             result_.tried) < 0;
+      return CriterionChange(before, left.squaredNorm(), 0, effective, list[place]->addition.count, result_.tried) < 0;
     };
-    const JoinedAdditions joined = JoinAdditions(fitted.Of(fitted.point().residuals).left, with, pays);
+    const FittedPoint& point = fitted.point();
+    const JoinedAdditions joined = JoinAdditions(fitted.Of(point.residuals).left, with, pays);
     result_.together = joined.places;
+    result_.left_together = joined.left.cwiseQuotient(point.loss.Weights(point.residuals).cwiseSqrt());
+    result_.jacobian = point.jacobian;
     result_.moved_together.resize(values_.size(), std::ssize(joined.places));
     for (Index k = 0; k < result_.moved_together.cols(); ++k)
       result_.moved_together.col(k) = joined.shares[k] * list[joined.places[static_cast<std::size_t>(k)]]->test->step;

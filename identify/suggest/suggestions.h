@@ -49,12 +49,16 @@ struct Suggestions {
   /// Those worth adding, the best first; then the others by their criterion. Without parts of a better one, such as one
   /// side of what is worth more on both.
   std::vector<SuggestedAddition> list;
-  /// Of those worth adding, which explain the residuals together, and by what each then moves the free parameters, in
-  /// FitVariables, n x additions; to first order.
+  /// Which of the list explain the residuals together, by the criterion with the residuals' own size in place of the
+  /// stated errors; by what each then moves the free parameters, in FitVariables, n x additions; and the residuals that
+  /// are left, priors included. To first order.
   std::vector<std::size_t> together;
   Eigen::MatrixXd moved_together;
+  Eigen::VectorXd left_together;
   /// By all of them.
   std::vector<MovedParameter> moves_together;
+  /// At the fitted values, N x n in FitVariables; zero columns of parameters at their bounds.
+  Eigen::MatrixXd jacobian;
   double cost = 0;
   double misfit = 0;
   /// Residuals, and how many independent ones these are worth.

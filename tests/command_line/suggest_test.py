@@ -9,6 +9,7 @@ import jsonschema
 from program import FOURPOST, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "tests/validation"))
+import random_stations  # noqa: E402
 import suggest  # noqa: E402
 
 SCHEMA = json.loads((SOURCE / "identify/command_line/schema/suggest.json").read_text())
@@ -50,6 +51,29 @@ class Suggest(ProgramTest):
         # 0.5 % of noise leave the friction to some per cent.
         self.assertAlmostEqual(friction["value"], 40, delta=2)
         self.assertLess(after["misfit"], 0.2 * before["misfit"])
+
+    def test_intervals_reach_to_the_car_with_what_is_missing(self):
+        number = 1  # friction of a guide and of the spring's ends, which Model 2 of the station lacks
+        made = random_stations.drawn(random.Random(number))
+        random_stations.record(FOURPOST, self.folder, made, random.Random(number))
+        self.fit(random_stations.study("model2", self.folder), "run")
+        result = json.loads((self.folder / "run/result.json").read_text())
+        together = " ".join(result["missing"]["together"]["additions"])
+        self.assertIn("elastic friction", together)
+        self.assertIn("guide 'body_travel'", together)
+        truth = random_stations.truth(made, "model2")
+        limits = set()
+        for one in result["parameters"]:
+            low, high = one["interval_95"]
+            self.assertTrue(low <= truth[one["name"]] <= high, one)
+            limits.add(one["limited_by"])
+        self.assertIn("missing: elastic friction (hysteresis) beside spring 'spring'", limits)
+        # Closer to the truth than the values are: by less than half of their errors.
+        moves = {move["name"]: 1 + move["percent"] / 100 for move in result["missing"]["together"]["moves"]}
+        for one in result["parameters"]:
+            error = abs(one["value"] / truth[one["name"]] - 1)
+            if error > 0.05:
+                self.assertLess(abs(one["value"] * moves[one["name"]] / truth[one["name"]] - 1), error / 2, one)
 
     def test_is_silent_of_a_twin(self):
         self.record(CLEAN)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "identify/fit/fit.h"
+#include "identify/fit/fitted_parameters.h"
 #include "tests/identify/toy_objective.h"
 
 namespace fourpost {
@@ -59,6 +60,31 @@ TEST(Certainty, CountsWhatHasNoRangeAsExact) {
   ASSERT_TRUE(fit.certainty);
   EXPECT_EQ(fit.certainty->held_sd[0], 0);
   EXPECT_EQ(fit.certainty->LimitedBy(0), "noise");
+}
+
+// Anywhere between the value and where it would be with what is missing: delta^2 / 3 about one end.
+TEST(Certainty, ReachesToWhereMissingPhysicsTakesAParameter) {
+  const VehicleObjective both = Sum();
+  Vehicle vehicle = both.vehicle();
+  vehicle.parameters[1].lower = vehicle.parameters[1].upper = 1;
+  const VehicleObjective one(vehicle, {0}, both.blocks());
+  FitResult fit = FitOf(one);
+  ASSERT_TRUE(fit.certainty);
+  const FittedParameter before = fit.parameters[0];
+  constexpr double kMoved = 0.3;
+  AllowForMissing(one,
+                  {.names = {"friction"},
+                   .moved = Eigen::MatrixXd::Constant(1, 1, kMoved),
+                   .residuals = Eigen::VectorXd::Zero(kCount),
+                   .jacobian = Eigen::MatrixXd::Constant(kCount, 1, 100)},
+                  fit);
+  const FittedParameter& after = fit.parameters[0];
+  EXPECT_EQ(after.value, before.value);
+  EXPECT_NEAR(after.lower_95, before.lower_95, 1e-9);
+  EXPECT_NEAR(after.upper_95, before.upper_95 * std::exp(kMoved), 1e-6);
+  EXPECT_NEAR(after.sd / after.value, std::hypot(before.sd / before.value, kMoved / std::sqrt(3)), 1e-6);
+  EXPECT_NEAR(fit.certainty->total_covariance(0, 0), std::pow(fit.certainty->total_sd[0], 2), 1e-9);
+  EXPECT_EQ(after.limited_by, "missing: friction");
 }
 
 }  // namespace
