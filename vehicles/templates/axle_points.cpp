@@ -21,7 +21,7 @@ constexpr double kNoLength = 1e-3;
 /// What a drawing leaves beside the plane of symmetry [m].
 constexpr double kMiddle = 1e-3;
 
-std::string Millimetres(double metres) { return FormatNumber(std::round(metres * 1e6) * 1e-3) + " mm"; }
+std::string Millimetres(double metres) { return FormatNumber(std::round(metres * 1e6) + 0.0, -3) + " mm"; }
 
 std::vector<std::string> KindNames() {
   std::vector<std::string> names;
@@ -221,7 +221,7 @@ std::string PointsText(const CarPoints& car) {
         // Shown, not used.
         row = "# " + row + ",,,,";
       } else {
-        for (const double metres : found->second.xyz) row += "," + FormatNumber(std::round(metres * 1e6) * 1e-6, 3);
+        for (const double metres : found->second.xyz) row += "," + FormatNumber(std::round(metres * 1e6) + 0.0, -3);
         row += "," + found->second.on;
       }
       if (spec.carriers.size() > 1) {

@@ -63,9 +63,9 @@ inline const Finding kAxleOrder{"axle-order", Severity::kError,
                                 "the front wheel's centre is at x = {} and the rear one's at x = {}",
                                 "x points forward; for a drawing with x to the rear write -x in the header"};
 inline const Finding kGroundSlopes{"ground-slopes", Severity::kWarning,
-                                   "the contact points put the ground {} higher at the rear than at the front",
-                                   "the vehicle stands on level posts, turned by {}; correct the points if the "
-                                   "drawing means a level ground"};
+                                   "the front and the rear contact point differ in height by {}",
+                                   "the vehicle is written on level ground, turned by {}; correct the points if "
+                                   "the drawing is level"};
 inline const Finding kStrutIdle{"strut-idle", Severity::kWarning, "the {} axle's {} moves {} per travel of the wheel",
                                 "check its ends; its rate was chosen as for 0.3"};
 inline const Finding kSuspensionDoesNotWork{"suspension-does-not-work", Severity::kError,

@@ -66,7 +66,7 @@ class PointTable {
 
   std::vector<HardPoint> Points() {
     if (columns_.empty()) Report(kPointsWithoutHeader);
-    else if (!has_rows_) Report(kPointsEmpty);
+    else if (!has_rows_ && !is_faulty_) Report(kPointsEmpty);
     return points_;
   }
 

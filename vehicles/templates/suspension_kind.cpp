@@ -39,7 +39,7 @@ Specs Joined(std::initializer_list<Specs> parts) {
 
 Specs WheelPoints() {
   return {Left("wheel_centre", "centre of the wheel", 0, 0.75, 0.31),
-          Left("contact", "where the loaded tyre stands on the ground; only its height counts", 0, 0.75, 0)};
+          Left("contact", "where the loaded tyre stands on the ground", 0, 0.75, 0)};
 }
 
 /// Not of a beam axle, which carries both wheels straight.
@@ -228,7 +228,7 @@ std::vector<SuspensionKind> AllKinds() {
        .summary = "beam axle on leaf springs",
        .is_beam = true,
        .points = Joined(
-           {WheelPoints(), leaf, DamperPoints(At(-0.16, 0.40, 0.74), At(-0.09, 0.52, 0.25), {"axle"}, Need::kNeeded)}),
+           {WheelPoints(), leaf, DamperPoints(At(-0.05, 0.40, 0.74), At(-0.03, 0.52, 0.25), {"axle"}, Need::kNeeded)}),
        .write = WriteLeafSpring},
       TwistBeamKind()};
   return kinds;

@@ -36,12 +36,10 @@ struct GroundPose {
 };
 
 GroundPose GroundOf(const CarPoints& car) {
-  const auto contact = [&](std::size_t axle) {
-    return Eigen::Vector3d(car[axle].At("wheel_centre").x(), 0, car[axle].At("contact").z());
-  };
-  const Eigen::Vector3d span = contact(0) - contact(1);
+  const Eigen::Vector3d& front = car[0].At("contact");
+  const Eigen::Vector3d span = front - car[1].At("contact");
   GroundPose pose{.pitch = std::atan2(span.z(), span.x())};
-  pose.rise = -pose.HeightOf(contact(0));
+  pose.rise = -pose.HeightOf(front);
   return pose;
 }
 
@@ -179,7 +177,7 @@ void ReportSlope(const CarPoints& car, const std::string& source, Diagnostics& d
   if (std::abs(rise) < 1e-3) return;
   const double turn = GroundOf(car).pitch * 180 / std::numbers::pi;
   diagnostics.Report(kGroundSlopes, {source, car[1].points.at("contact").line},
-                     {Fixed(1e3 * rise, 1) + " mm", Fixed(turn, 2) + " deg"});
+                     {Fixed(1e3 * std::abs(rise), 1) + " mm", Fixed(turn, 2) + " deg"});
 }
 
 std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }

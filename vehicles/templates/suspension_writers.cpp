@@ -122,9 +122,9 @@ void WriteTwistBeam(AxleWriter& axle) {
                          .source = "estimate: radial rate of a large voided bush; its axial rate is 0.3 of it"});
   axle.Add(
       ParameterText{.name = "kr_" + points.axle + "_beam",
-                    .value = 10,
-                    .lower = 1,
-                    .upper = 60,
+                    .value = 1.5,
+                    .lower = 0.3,
+                    .upper = 10,
                     .precision = 0.01,
                     .unit = "kN*m/rad",
                     .source = "estimate: torsional rate of the beam's open section from arm to arm, with a bar in it"});
