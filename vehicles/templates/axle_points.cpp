@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -18,6 +19,8 @@ constexpr std::array<std::string_view, 2> kAxles = {"front", "rear"};
 constexpr double kWheelbase = 2.6;
 /// Below it two points are one [m].
 constexpr double kNoLength = 1e-3;
+/// Of the links that hold a beam axle sideways, in plan [rad]: ten degrees; cars have 20 to 45.
+constexpr double kLeastConvergence = 0.175;
 /// What a drawing leaves beside the plane of symmetry [m].
 constexpr double kMiddle = 1e-3;
 
@@ -59,6 +62,7 @@ class PointCheck {
                {axle.axle, std::string(spec.name), std::string(spec.partner), Millimetres(length)});
     }
     for (const ArmSpec& arm : axle.kind->arms) CheckArm(axle, arm);
+    if (axle.kind->name == "four_link") CheckConvergence(axle);
     if (!IsKnown(axle, "wheel_centre") || !IsKnown(axle, "contact")) return;
     const double height = axle.At("wheel_centre").z() - axle.At("contact").z();
     if (!(height > 0.1 && height < 1.5))
@@ -121,6 +125,18 @@ class PointCheck {
              {axle.axle, std::string(axle.kind->name), std::string(spec.name), std::string(spec.meaning), axle.axle,
               std::string(spec.name)});
     }
+  }
+
+  void CheckConvergence(const AxlePoints& axle) {
+    double greatest = 0;
+    for (const std::string pair : {"lower", "upper"}) {
+      if (!IsKnown(axle, pair + "_body") || !IsKnown(axle, pair + "_axle")) return;
+      const Eigen::Vector3d link = axle.At(pair + "_body") - axle.At(pair + "_axle");
+      greatest = std::max(greatest, std::atan2(std::abs(link.y()), std::abs(link.x())));
+    }
+    if (greatest >= kLeastConvergence) return;
+    const double degrees = std::round(greatest * 1800 / std::numbers::pi);
+    Report(PointOf(axle, "upper_body"), kLinksParallel, {axle.axle, FormatNumber(degrees, -1) + " deg"});
   }
 
   void CheckArm(const AxlePoints& axle, const ArmSpec& arm) {

@@ -56,6 +56,10 @@ inline const Finding kLinkWithoutLength{"link-without-length", Severity::kError,
 inline const Finding kArmWithoutLength{"arm-without-length", Severity::kError,
                                        "the {} axle's '{}' lies {} from the axis through '{}' and '{}'",
                                        "correct one of them"};
+inline const Finding kLinksParallel{
+    "links-parallel", Severity::kError,
+    "the {} axle's links run within {} of straight ahead in plan, so none holds it sideways",
+    "correct the points, or choose four_link_panhard"};
 inline const Finding kTyreSize{"tyre-size", Severity::kError,
                                "the {} wheel's centre stands {} above its contact with the ground",
                                "check the unit in the header ({}), and both points"};

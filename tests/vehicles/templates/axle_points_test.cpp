@@ -109,6 +109,17 @@ TEST(AxlePoints, ReportsACarrierThatIsNone) {
   EXPECT_THAT(findings, Reports(kPointCarrier, points.LineOf("front", "lower_ball"), {"knuckle"}));
 }
 
+// Such an axle moves sideways until its tyres stop it.
+TEST(AxlePoints, ReportsFourLinksThatAreParallel) {
+  const auto kinds = KindsOf("macpherson", "four_link");
+  std::vector<HardPoint> points = UsualPoints(kinds);
+  for (HardPoint& point : points)
+    if (point.axle == "rear" && point.name.starts_with("upper")) point.xyz.y() = 0.42;
+  Diagnostics findings;
+  SortedPoints(kinds, points, "points.csv", findings);
+  EXPECT_THAT(findings, ReportsOnly(kLinksParallel, 0, {"rear", "4.8 deg"}));
+}
+
 // Millimetres that were said to be metres, and the other way round.
 TEST(AxlePoints, ReportsAWrongUnitByTheSizeOfTheTyre) {
   for (const double scale : {1e3, 1e-3}) {

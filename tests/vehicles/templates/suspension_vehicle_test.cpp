@@ -175,7 +175,7 @@ TEST(SuspensionVehicle, APartMayCarryWhatIsNotUsual) {
 TEST(SuspensionVehicle, NamesASpringThatDoesNotMove) {
   const auto kinds = KindsOf("trailing_arm", "trailing_arm");
   std::vector<HardPoint> points = UsualPoints(kinds);
-  // At the pivot.
+  // A centimetre from the arm's axis.
   for (HardPoint& point : points)
     if (point.axle == "rear" && point.name.starts_with("spring")) point.xyz.x() = -2.6 + 0.41;
   Diagnostics findings;
@@ -184,16 +184,14 @@ TEST(SuspensionVehicle, NamesASpringThatDoesNotMove) {
   EXPECT_FALSE(findings.HasErrors());
 }
 
-// Both links of the upper pair straight, as the lower ones: nothing holds the axle sideways.
+// A coil that stands on the arm's axis holds nothing.
 TEST(SuspensionVehicle, NamesPointsThatMakeNoSuspension) {
-  const auto kinds = KindsOf("double_wishbone", "four_link");
+  const auto kinds = KindsOf("double_wishbone", "trailing_arm");
   std::vector<HardPoint> points = UsualPoints(kinds);
-  for (HardPoint& point : points) {
-    if (point.axle == "rear" && point.name.starts_with("lower")) point.xyz.y() = 0.46;
-    if (point.axle == "rear" && point.name.starts_with("upper")) point.xyz.y() = 0.42;
-  }
+  for (HardPoint& point : points)
+    if (point.axle == "rear" && point.name.starts_with("spring")) point.xyz.x() = -2.6 + 0.42;
   Diagnostics findings;
-  EXPECT_EQ(suspension_cars::TextOf(kinds, points, findings), "");
+  EXPECT_TRUE(suspension_cars::TextOf(kinds, points, findings).empty());
   EXPECT_THAT(findings, Reports(kSuspensionDoesNotWork));
 }
 
