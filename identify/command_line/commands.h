@@ -28,6 +28,8 @@ struct InitCommand {
   std::vector<std::string> suspension;
   /// Table of hard points; empty: plausible ones.
   std::filesystem::path points;
+  /// "front=760kg"; empty: not known.
+  std::vector<std::string> load;
   /// Write over a vehicle that is there.
   bool replace = false;
   bool json = false;

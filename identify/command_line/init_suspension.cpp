@@ -13,6 +13,8 @@
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "vehicles/requests/channel_json.h"
+#include "vehicles/requests/option_quantity.h"
+#include "vehicles/templates/findings.h"
 #include "vehicles/templates/suspension_vehicle.h"
 
 namespace fourpost {
@@ -65,6 +67,25 @@ void WriteFiles(const fs::path& folder, const std::string& vehicle, const std::s
   }
 }
 
+/// Of both axles; empty without --load, or after an error.
+std::optional<AxleLoads> LoadsOf(const std::vector<std::string>& texts, Diagnostics& findings) {
+  if (texts.empty()) return std::nullopt;
+  AxleLoads loads = {};
+  for (const std::string& text : texts) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string axle = text.substr(0, equals);
+    const std::size_t i = axle == "front" ? 0 : 1;
+    if (equals == text.size() || (i == 1 && axle != "rear") || loads[i] != 0) {
+      findings.Report(kAxleLoadMalformed, Place::Option("--load"), {text});
+      continue;
+    }
+    loads[i] = ReadQuantity(text.substr(equals + 1), kMass, "--load", findings).value_or(1);
+  }
+  if (!findings.HasErrors() && (loads[0] == 0 || loads[1] == 0))
+    findings.Report(kAxleLoadMalformed, Place::Option("--load"), {texts[0]});
+  return loads;
+}
+
 std::string SuspensionSteps(const InitCommand& command, bool has_new_points) {
   const std::string vehicle = (command.folder / kVehicleFile).string();
   const std::string points = (command.folder / kPointsFile).string();
@@ -83,7 +104,8 @@ std::string SuspensionSteps(const InitCommand& command, bool has_new_points) {
 int RunInitSuspension(const InitCommand& command) {
   Diagnostics findings;
   const auto kinds = ChosenSuspensions(command.suspension, findings);
-  if (!kinds) throw FaultyInput(findings);
+  const std::optional<AxleLoads> loads = LoadsOf(command.load, findings);
+  if (!kinds || findings.HasErrors()) throw FaultyInput(findings);
   const std::vector<HardPoint> points =
       command.points.empty() ? UsualPoints(*kinds) : ReadHardPoints(command.points, findings);
   const bool was_read = !findings.HasErrors() || !points.empty();
@@ -93,7 +115,7 @@ int RunInitSuspension(const InitCommand& command) {
   const std::string source =
       command.points.empty() ? "plausible ones of no car" : fs::path(command.points).filename().string();
   const std::string place = command.points.empty() ? (command.folder / kPointsFile).string() : command.points.string();
-  const std::string vehicle = SuspensionVehicleText(car, VehicleName(command.folder), source, place, findings);
+  const std::string vehicle = SuspensionVehicleText(car, loads, VehicleName(command.folder), source, place, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   const bool has_new_points = !IsSameFile(command.points, command.folder / kPointsFile);
   WriteFiles(command.folder, vehicle, has_new_points ? PointsText(car) : "");

@@ -106,6 +106,12 @@ void Program::AddInit() {
   sub->add_option("--points", init_.points,
                   "Table of hard points, axle,point,x [mm],y [mm],z [mm], left side, for the vehicle to have")
       ->needs(suspension);
+  sub->add_option(
+         "--load", init_.load,
+         "Mass on both tyres of each axle, as front=760kg,rear=640kg: for the body's mass, its centre and rates "
+         "of springs and dampers; without it those of a passenger car")
+      ->delimiter(',')
+      ->needs(suspension);
   sub->add_flag("--replace", init_.replace, "Write over the vehicle.urdf that is there")->needs(suspension);
   sub->add_flag("--json", init_.json, "Print JSON: the folder and its files");
 }

@@ -11,9 +11,8 @@ struct AxleGuess {
   double damper_rate = 1500;
   /// Shortening of the damper per rise of both wheels.
   double damper_ratio = 1;
-  /// Of both, as they were found: what the file says of them.
+  /// The same of the spring, which the source of its rate states.
   double spring_ratio = 1;
-  double sprung_mass = 0;
 };
 
 /// Front and rear.

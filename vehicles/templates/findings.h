@@ -16,6 +16,12 @@ inline const Finding kSuspensionTwice{"suspension-twice", Severity::kError, "two
 inline const Finding kSuspensionMissing{"suspension-missing", Severity::kError, "no suspension for the {} axle",
                                         "add {}=KIND"};
 
+inline const Finding kAxleLoadMalformed{"axle-load-malformed", Severity::kError, "'{}' is not AXLE=MASS",
+                                        "write e.g. front=760kg,rear=640kg, the mass on both tyres of each axle"};
+inline const Finding kAxleLoadsTooSmall{"axle-loads-too-small", Severity::kError,
+                                        "these loads leave {} for the body, beside the wheels and axles",
+                                        "give the mass on both tyres of each axle"};
+
 inline const Finding kPointsWithoutHeader{
     "points-without-header", Severity::kError, "no header names the columns",
     "begin with axle,point,x [mm],y [mm],z [mm]; run without --points for a file to edit"};

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "analysis/text/number.h"
+#include "vehicles/description/gravity.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/ride/vehicle_summary.h"
 #include "vehicles/templates/axle_writer.h"
@@ -47,19 +48,27 @@ std::string Fixed(double value, int power) {
   return FormatNumber(std::round(value * std::pow(10, power)) + 0.0, -power);
 }
 
-std::string BodyText(const CarPoints& car, const GroundPose& ground) {
+/// Mass of the body and x of its centre in the drawing.
+struct BodyGuess {
+  double mass = kBodyMass;
+  double x = 0;
+  bool is_weighed = false;
+};
+
+std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPose& ground) {
   const Eigen::Vector3d front = car[0].At("wheel_centre");
   const Eigen::Vector3d rear = car[1].At("wheel_centre");
   const double wheelbase = front.x() - rear.x();
   const double track = front.y() + rear.y();
-  const double x = std::round(500 * (front.x() + rear.x())) * 1e-3;
+  const double x = std::round(1e4 * body.x) * 1e-4;
+  const double mass = std::round(10 * body.mass) * 0.1;
   const double z = std::round(1e3 * (0.5 * (car[0].At("contact").z() + car[1].At("contact").z()) + kBodyHeight)) * 1e-3;
-  // As if half the mass stood over either axle: dynamic index 0.9; radius of gyration in roll 0.38 of the track.
-  const double pitch = std::round(0.9 * kBodyMass * 0.25 * wheelbase * wheelbase);
-  const double roll = std::round(kBodyMass * 0.38 * 0.38 * track * track);
+  // Dynamic index 0.9; radius of gyration in roll 0.38 of the mean track.
+  const double pitch = std::round(0.9 * mass * (front.x() - x) * (x - rear.x()));
+  const double roll = std::round(mass * 0.38 * 0.38 * track * track);
   std::string text = "\n  <!-- Body with engine and two people; its axes and origin are those of the drawing. -->\n";
   text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"" +
-          XyzText({x, 0, z}) + "\"/>\n      <mass value=\"" + FormatNumber(kBodyMass) + "\"/>\n      <inertia ixx=\"" +
+          XyzText({x, 0, z}) + "\"/>\n      <mass value=\"" + Fixed(mass, 1) + "\"/>\n      <inertia ixx=\"" +
           FormatNumber(roll) + "\" iyy=\"" + FormatNumber(pitch) + "\" izz=\"" + FormatNumber(pitch) +
           "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" +
           XyzText({x, 0, z + 0.05}) + "\"/>\n      <geometry><box size=\"" + Fixed(wheelbase + 1, 2) + " " +
@@ -69,22 +78,25 @@ std::string BodyText(const CarPoints& car, const GroundPose& ground) {
       "0 " +
       Fixed(ground.rise, 9) + "\"" +
       (std::abs(ground.pitch) > 1e-9 ? " rpy=\"0 " + Fixed(ground.pitch, 9) + " 0\"" : "") + "/>\n  </joint>\n";
-  text += Text(
-      {.name = "m_body",
-       .value = kBodyMass,
-       .lower = 700,
-       .upper = 2500,
-       .precision = 0.1,
-       .unit = "kg",
-       .source = "estimate, of a passenger car: body with engine and two people; weigh the car and subtract wheels",
-       .binds = {"link[body]/mass"}});
+  text += Text({.name = "m_body",
+                .value = mass,
+                .lower = std::round((body.is_weighed ? 0.95 : 0.6) * mass),
+                .upper = std::round((body.is_weighed ? 1.05 : 2) * mass),
+                .precision = 0.1,
+                .unit = "kg",
+                .source = body.is_weighed ? "loads of the axles, less an estimate of wheels and axles"
+                                          : "estimate, of a passenger car: body with engine and two people; --load "
+                                            "makes it of axle loads",
+                .binds = {"link[body]/mass"}});
+  const double spread = std::round((body.is_weighed ? 30 : 150) * wheelbase);
   text += Text({.name = "x_body",
                 .value = 1e3 * x,
-                .lower = 1e3 * x - std::round(150 * wheelbase),
-                .upper = 1e3 * x + std::round(150 * wheelbase),
+                .lower = std::round(1e3 * x - spread),
+                .upper = std::round(1e3 * x + spread),
                 .precision = 0.1,
                 .unit = "mm",
-                .source = "estimate: centre of mass midway between the axles; static loads of the axles tell",
+                .source = body.is_weighed ? "centre of mass by the loads of the axles"
+                                          : "estimate: centre of mass midway between the axles",
                 .binds = {"link[body]/com/x"}});
   text += Text({.name = "I_pitch",
                 .value = pitch,
@@ -117,9 +129,10 @@ std::string HeadText(const CarPoints& car, const std::string& name, const std::s
          name + "\" xmlns:fp=\"urn:fourpost:vehicle:1\">\n\n  <fp:mirror from=\"_left\" to=\"_right\"/>\n";
 }
 
-std::string CarText(const CarPoints& car, const CarGuess& guess, const std::string& name, const std::string& source) {
+std::string CarText(const CarPoints& car, const BodyGuess& body, const CarGuess& guess, const std::string& name,
+                    const std::string& source) {
   const GroundPose ground = GroundOf(car);
-  std::string text = HeadText(car, name, source) + BodyText(car, ground);
+  std::string text = HeadText(car, name, source) + BodyText(car, body, ground);
   for (std::size_t i = 0; i < car.size(); ++i) {
     AxleWriter axle(car[i], guess[i], ground.HeightOf(car[i].At("wheel_centre")));
     axle.Comment((i == 0 ? "FRONT: " : "REAR: ") + std::string(car[i].kind->summary) + ".");
@@ -149,22 +162,42 @@ double UsableRatio(double ratio, const AxlePoints& axle, const char* strut, cons
   return kUsualIdleRatio;
 }
 
-/// Rates for the ride that is usual, at the motion ratios of the car as written.
-CarGuess GuessFor(const CarPoints& car, const std::string& text, const std::string& source, Diagnostics& diagnostics) {
+struct ReadCar {
+  Vehicle vehicle;
+  VehicleSummary summary;
+};
+
+ReadCar Read(const std::string& text, const std::string& file) {
   Diagnostics faults;
-  const std::optional<Vehicle> vehicle = ReadVehicleText(text, source, faults);
+  const std::optional<Vehicle> vehicle = ReadVehicleText(text, file, faults);
   if (!vehicle) throw FaultyInput(faults);
-  const VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
+  return {*vehicle, Summarise(*vehicle, vehicle->ParameterValues())};
+}
+
+double LoadOf(const ReadCar& car, std::size_t axle) { return car.summary.chassis.axles.at(axle).load_N / kGravity; }
+
+/// The body with which the axles have these loads [kg], of one with which they have others:
+///   m' - m = F' + R' - F - R,  m' (x' - x_rear) - m (x - x_rear) = (F' - F) wheelbase.
+BodyGuess Weighed(const CarPoints& points, const BodyGuess& body, const ReadCar& car, const AxleLoads& loads) {
+  const double rear = points[1].At("wheel_centre").x();
+  const double wheelbase = points[0].At("wheel_centre").x() - rear;
+  const double front_change = loads[0] - LoadOf(car, 0);
+  const double mass = body.mass + front_change + loads[1] - LoadOf(car, 1);
+  return {mass, rear + (body.mass * (body.x - rear) + front_change * wheelbase) / mass, true};
+}
+
+/// Rates for the ride that is usual, at the motion ratios of the car as written.
+CarGuess GuessFor(const CarPoints& points, const ReadCar& car, const std::string& file, Diagnostics& diagnostics) {
   CarGuess guess;
-  for (std::size_t i = 0; i < car.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     AxleGuess& axle = guess[i];
-    const std::size_t tyre = IndexOf(vehicle->tyres, car[i].axle + "_tyre_left");
-    const double mass = summary.chassis.corners.at(tyre).sprung_kg.value_or(0.25 * kBodyMass);
-    const double spring = RatioOf(summary.ride.springs, IndexOf(vehicle->springs, car[i].axle + "_coil_left"));
-    const double damper = RatioOf(summary.ride.dampers, IndexOf(vehicle->dampers, car[i].axle + "_damper_left"));
-    axle.spring_ratio = UsableRatio(spring, car[i], "spring", source, diagnostics);
-    axle.damper_ratio = UsableRatio(damper, car[i], "damper", source, diagnostics);
-    axle.sprung_mass = mass;
+    const std::size_t tyre = IndexOf(car.vehicle.tyres, points[i].axle + "_tyre_left");
+    const double mass = car.summary.chassis.corners.at(tyre).sprung_kg.value_or(0.25 * kBodyMass);
+    const RideGeometry& ride = car.summary.ride;
+    const double spring = RatioOf(ride.springs, IndexOf(car.vehicle.springs, points[i].axle + "_coil_left"));
+    const double damper = RatioOf(ride.dampers, IndexOf(car.vehicle.dampers, points[i].axle + "_damper_left"));
+    axle.spring_ratio = UsableRatio(spring, points[i], "spring", file, diagnostics);
+    axle.damper_ratio = UsableRatio(damper, points[i], "damper", file, diagnostics);
     const double speed = 2 * std::numbers::pi * kRideFrequency[i];
     axle.spring_rate = mass * speed * speed / (axle.spring_ratio * axle.spring_ratio);
     axle.damper_rate = 2 * kDampingRatio * mass * speed / (axle.damper_ratio * axle.damper_ratio);
@@ -184,12 +217,24 @@ std::string FirstLine(const std::string& text) { return text.substr(0, text.find
 
 }  // namespace
 
-std::string SuspensionVehicleText(const CarPoints& car, const std::string& name, const std::string& source,
-                                  const std::string& file, Diagnostics& diagnostics) {
-  ReportSlope(car, file, diagnostics);
+std::string SuspensionVehicleText(const CarPoints& points, const std::optional<AxleLoads>& loads,
+                                  const std::string& name, const std::string& source, const std::string& file,
+                                  Diagnostics& diagnostics) {
+  ReportSlope(points, file, diagnostics);
   try {
-    const CarGuess guess = GuessFor(car, CarText(car, {}, name, source), file, diagnostics);
-    return CarText(car, guess, name, source);
+    BodyGuess body;
+    body.x = 0.5 * (points[0].At("wheel_centre").x() + points[1].At("wheel_centre").x());
+    ReadCar car = Read(CarText(points, body, {}, name, source), file);
+    // Again for the share of heights in loads, where the drawing is tilted.
+    for (int i = 0; loads && i < 2; ++i) {
+      body = Weighed(points, body, car, *loads);
+      if (body.mass < 0.2 * ((*loads)[0] + (*loads)[1])) {
+        diagnostics.Report(kAxleLoadsTooSmall, Place::Option("--load"), {Fixed(body.mass, 0) + " kg"});
+        return {};
+      }
+      car = Read(CarText(points, body, {}, name, source), file);
+    }
+    return CarText(points, body, GuessFor(points, car, file, diagnostics), name, source);
   } catch (const FaultyInput& faults) {
     const std::vector<Diagnostic> items = faults.diagnostics().ByWeight();
     diagnostics.Report(kSuspensionDoesNotWork, {file}, {items.empty() ? faults.what() : FirstLine(items[0].message)});

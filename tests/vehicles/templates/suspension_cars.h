@@ -21,7 +21,7 @@ inline Kinds KindsOf(std::string_view front, std::string_view rear) {
 inline std::string TextOf(const Kinds& kinds, const std::vector<HardPoint>& points, Diagnostics& findings) {
   const CarPoints car = SortedPoints(kinds, points, "points.csv", findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
-  return SuspensionVehicleText(car, "car", "of a test", "points.csv", findings);
+  return SuspensionVehicleText(car, {}, "car", "of a test", "points.csv", findings);
 }
 
 inline Vehicle VehicleOf(const Kinds& kinds, const std::vector<HardPoint>& points) {

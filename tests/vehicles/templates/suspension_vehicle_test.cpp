@@ -157,6 +157,28 @@ TEST(SuspensionVehicle, HasStaticCamberAndToeOfTheWheelAxis) {
   EXPECT_NEAR(place.foot.z(), 0, 2e-9);
 }
 
+// In a drawing that is tilted as well, where the height of the centre of mass counts.
+TEST(SuspensionVehicle, StandsOnTheLoadsOfItsAxles) {
+  const auto kinds = KindsOf("macpherson", "four_link_panhard");
+  for (const std::vector<HardPoint>& points : {UsualPoints(kinds), InAnotherFrame(UsualPoints(kinds))}) {
+    Diagnostics findings;
+    const CarPoints car = SortedPoints(kinds, points, "points.csv", findings);
+    const std::string text = SuspensionVehicleText(car, AxleLoads{1040, 830}, "car", "", "points.csv", findings);
+    const std::optional<Vehicle> vehicle = ReadVehicleText(text, "car.urdf", findings);
+    ASSERT_TRUE(vehicle) << findings.Format();
+    const VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
+    // The file states the body's mass to 0.1 kg and its centre to 0.1 mm.
+    EXPECT_NEAR(summary.chassis.axles.at(0).load_N / 9.80665, 1040, 0.15);
+    EXPECT_NEAR(summary.chassis.axles.at(1).load_N / 9.80665, 830, 0.15);
+    EXPECT_NEAR(summary.chassis.axles.at(0).ride_Hz.value(), 1.2, 0.15);
+    EXPECT_NEAR(summary.chassis.axles.at(1).ride_Hz.value(), 1.4, 0.15);
+  }
+  Diagnostics findings;
+  const CarPoints car = SortedPoints(kinds, UsualPoints(kinds), "points.csv", findings);
+  EXPECT_TRUE(SuspensionVehicleText(car, AxleLoads{100, 100}, "car", "", "points.csv", findings).empty());
+  EXPECT_THAT(findings, ReportsOption(kAxleLoadsTooSmall, "--load"));
+}
+
 TEST(SuspensionVehicle, APartMayCarryWhatIsNotUsual) {
   const auto kinds = KindsOf("double_wishbone", "trailing_arm");
   std::vector<HardPoint> points = UsualPoints(kinds);
