@@ -80,8 +80,8 @@ void Program::AddInit() {
       "vehicle from the hard points of its suspensions",
       "  fourpost init car\n  fourpost fit car/study.yaml -o run\n"
       "  fourpost init study --from rig --vehicle car.urdf\n"
-      "  fourpost init car --suspension front=macpherson,rear=twist_beam\n"
-      "  fourpost init car --suspension front=macpherson,rear=twist_beam --points car/points.csv --replace",
+      "  fourpost init coupe --suspension front=macpherson,rear=twist_beam\n"
+      "  fourpost init coupe --suspension front=macpherson,rear=twist_beam --points coupe/points.csv --replace",
       [this] {
         if (!init_.vehicle.empty()) RequireVehicleFile(init_.vehicle);
         return Run(init_);

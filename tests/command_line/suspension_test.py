@@ -29,7 +29,7 @@ class Suspension(ProgramTest):
         self.assertIn("[vehicle-is-there]", self.run_program(*again, code=5).stderr)
         self.run_program(*again, "--replace")
         after = json.loads(self.run_program("kinematics", "car/vehicle.urdf", "--json").stdout)
-        toe = [axles["axles"][0]["travels"][0]["stations"][0]["wheels"][0]["toe_rad"] for axles in (before, after)]
+        toe = [axles["axles"][0]["travels"][0]["positions"][0]["wheels"][0]["toe_rad"] for axles in (before, after)]
         self.assertGreater(abs(toe[0] - toe[1]), 1e-3)
         rest = json.loads(self.run_program("settle", "car/vehicle.urdf", "--json").stdout)
         self.assertTrue(rest["is_at_rest_as_drawn"])
@@ -56,7 +56,7 @@ class Suspension(ProgramTest):
         self.run_program("init", "car", "--suspension", "front=double_wishbone,rear=multilink", "--load",
                          "front=900kg,rear=700kg")
         car = json.loads(self.run_program("check", "car/vehicle.urdf", "--json").stdout)
-        loads = [tyre["load_N"] / 9.80665 for tyre in car["corner_loads"]]
+        loads = [tyre["load_N"] / 9.80665 for tyre in car["corners"]]
         # Mass to 0.1 kg, centre to 0.1 mm.
         for load, expected in zip(sorted(loads), [350, 350, 450, 450]):
             self.assertAlmostEqual(load, expected, delta=0.1)
