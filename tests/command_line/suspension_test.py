@@ -52,6 +52,14 @@ class Suspension(ProgramTest):
         self.assert_finding(told, "point-missing", "points.csv: ")
         self.assertFalse((self.folder / "car").exists())
 
+    def test_takes_a_file_of_any_name(self):
+        self.run_program("init", "car", "--suspension", "front=a_frame,rear=a_frame")
+        points = (self.folder / "car/points.csv").read_text()
+        self.write("a--b <&>.csv", points)
+        self.run_program("init", "x<&>--y", "--suspension", "front=a_frame,rear=a_frame", "--points", "a--b <&>.csv")
+        self.assertEqual(self.run_program("check", "x<&>--y/vehicle.urdf").stderr, "")
+        self.assertEqual((self.folder / "x<&>--y/points.csv").read_text(), points)
+
     def test_stands_on_its_loads(self):
         self.run_program("init", "car", "--suspension", "front=double_wishbone,rear=multilink", "--load",
                          "front=900kg,rear=700kg")

@@ -17,6 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 2> kAxles = {"front", "rear"};
 /// Of the plausible car [m].
 constexpr double kWheelbase = 2.6;
+constexpr double kLeastWheelbase = 0.5;
+/// No drawing has such numbers [m]; millimetres that were meant as metres are fewer.
+constexpr double kFar = 1e5;
 /// Below it two points are one [m].
 constexpr double kNoLength = 1e-3;
 /// Of the links that hold a beam axle sideways, in plan [rad]: ten degrees; cars have 20 to 45.
@@ -48,7 +51,11 @@ class PointCheck {
       return Report(point, kPointTwice, {point.axle, point.name, std::to_string(found->second.line)});
     CheckCarrier(point, *spec, *points.kind);
     CheckSide(point, *spec);
-    points.points.emplace(point.name, point);
+    HardPoint& kept = points.points.emplace(point.name, point).first->second;
+    if (point.xyz.lpNorm<Eigen::Infinity>() > kFar) {
+      Report(point, kPointFar, {point.axle, point.name, FormatNumber(std::round(point.xyz.norm())) + " m"});
+      kept.xyz.setConstant(NAN);
+    }
   }
 
   void CheckAxle(const AxlePoints& axle) {
@@ -63,6 +70,10 @@ class PointCheck {
     }
     for (const ArmSpec& arm : axle.kind->arms) CheckArm(axle, arm);
     if (axle.kind->name == "four_link") CheckConvergence(axle);
+    if (IsKnown(axle, "wheel_axis") && IsKnown(axle, "wheel_centre")) {
+      const double outward = axle.At("wheel_axis").y() - axle.At("wheel_centre").y();
+      if (outward < 0) Report(PointOf(axle, "wheel_axis"), kWheelAxisInboard, {axle.axle, Millimetres(-outward)});
+    }
     if (!IsKnown(axle, "wheel_centre") || !IsKnown(axle, "contact")) return;
     const double height = axle.At("wheel_centre").z() - axle.At("contact").z();
     if (!(height > 0.1 && height < 1.5))
@@ -73,7 +84,8 @@ class PointCheck {
     if (!IsKnown(car_[0], "wheel_centre") || !IsKnown(car_[1], "wheel_centre")) return;
     const double front = car_[0].At("wheel_centre").x();
     const double rear = car_[1].At("wheel_centre").x();
-    if (front <= rear) Report(PointOf(car_[1], "wheel_centre"), kAxleOrder, {Millimetres(front), Millimetres(rear)});
+    if (front - rear < kLeastWheelbase)
+      Report(PointOf(car_[1], "wheel_centre"), kAxleOrder, {Millimetres(front), Millimetres(rear)});
   }
 
  private:

@@ -54,6 +54,11 @@ inline const Finding kPointPartnerMissing{"point-partner-missing", Severity::kEr
 inline const Finding kPointSide{"point-side", Severity::kError, "the {} axle's '{}' lies at y = {}: {}",
                                 "list the points of the left side, y to the left; for a drawing with y to the right "
                                 "write -y in the header"};
+inline const Finding kPointFar{"point-far", Severity::kError, "the {} axle's '{}' lies {} from the origin",
+                               "check the unit in the header, and the number"};
+inline const Finding kWheelAxisInboard{"wheel-axis-inboard", Severity::kError,
+                                       "the {} axle's 'wheel_axis' lies {} further in than the wheel's centre",
+                                       "give a point of the wheel's axis on its outer side"};
 inline const Finding kPointCarrier{"point-carrier", Severity::kError, "'{}' cannot stand on '{}' of {}{}",
                                    "write a part of that suspension, or leave the cell empty"};
 inline const Finding kLinkWithoutLength{"link-without-length", Severity::kError,
@@ -69,9 +74,11 @@ inline const Finding kLinksParallel{
 inline const Finding kTyreSize{"tyre-size", Severity::kError,
                                "the {} wheel's centre stands {} above its contact with the ground",
                                "check the unit in the header ({}), and both points"};
-inline const Finding kAxleOrder{"axle-order", Severity::kError,
-                                "the front wheel's centre is at x = {} and the rear one's at x = {}",
-                                "x points forward; for a drawing with x to the rear write -x in the header"};
+inline const Finding kAxleOrder{
+    "axle-order", Severity::kError,
+    "the front wheel's centre is at x = {} and the rear one's at x = {}, which is not half a metre "
+    "behind",
+    "x points forward; for a drawing with x to the rear write -x in the header"};
 inline const Finding kGroundSlopes{"ground-slopes", Severity::kWarning,
                                    "the front and the rear contact point differ in height by {}",
                                    "the vehicle is written on level ground, turned by {}; correct the points if "

@@ -44,8 +44,8 @@ Specs WheelPoints() {
 
 /// Not of a beam axle, which carries both wheels straight.
 Specs WheelAxis() {
-  return {Optionally(
-      Left("wheel_axis", "another point of the wheel's axis, outboard: static camber and toe", 0, 0.85, 0.31))};
+  return {Optionally(Left("wheel_axis", "another point of the wheel's axis, outboard: static camber and toe", 0, 0.85,
+                          0.31, "wheel_centre"))};
 }
 
 Specs CoilPoints(PointSpec top, PointSpec bottom, const std::vector<std::string_view>& carriers) {

@@ -109,6 +109,21 @@ TEST(AxlePoints, ReportsACarrierThatIsNone) {
   EXPECT_THAT(findings, Reports(kPointCarrier, points.LineOf("front", "lower_ball"), {"knuckle"}));
 }
 
+TEST(AxlePoints, ReportsANumberThatIsFarOff) {
+  ChangedPoints points;
+  points.At("rear", "pivot").xyz.x() = -2.2e300;
+  EXPECT_THAT(points.Findings(), ReportsOnly(kPointFar, points.LineOf("rear", "pivot"), {"pivot"}));
+}
+
+TEST(AxlePoints, ReportsAWheelAxisThatPointsInward) {
+  ChangedPoints points;
+  points.Add({.axle = "front", .name = "wheel_axis", .xyz = {0, 0.65, 0.31}, .line = 90});
+  EXPECT_THAT(points.Findings(), ReportsOnly(kWheelAxisInboard, 90, {"100 mm"}));
+  ChangedPoints same;
+  same.Add({.axle = "front", .name = "wheel_axis", .xyz = same.At("front", "wheel_centre").xyz, .line = 90});
+  EXPECT_THAT(same.Findings(), ReportsOnly(kLinkWithoutLength, 90, {"wheel_axis", "wheel_centre"}));
+}
+
 // Such an axle moves sideways until its tyres stop it.
 TEST(AxlePoints, ReportsFourLinksThatAreParallel) {
   const auto kinds = KindsOf("macpherson", "four_link");
