@@ -53,8 +53,8 @@ void WriteDoubleWishbone(AxleWriter& axle) {
 
 void WriteMacPherson(AxleWriter& axle) {
   axle.Comment(
-      "The strut swings both ways about its top mount, turns and slides along its axis: four degrees of freedom.\n"
-      "       Ball joint and tie rod take four of 4 + 1, with the arm's: the wheel's travel is left.");
+      "The strut swings both ways about its top mount, turns and slides along its axis: four degrees of freedom, and\n"
+      "       the arm has one. Ball joint and tie rod take four of the five: the wheel's travel is left.");
   const Vector3d top = axle.points().At("strut_top");
   const Vector3d along = axle.points().At("strut_bottom") - top;
   axle.Arm("lower_arm", 5, axle.points().kind->arms[0]);
