@@ -24,6 +24,14 @@ struct InitCommand {
   /// Recordings and the vehicle of a study to draft; empty: the starter study is written.
   std::vector<std::filesystem::path> from;
   std::filesystem::path vehicle;
+  /// "front=macpherson"; empty: no vehicle is made of hard points.
+  std::vector<std::string> suspension;
+  /// Table of hard points; empty: plausible ones.
+  std::filesystem::path points;
+  /// "front=760kg"; empty: not known.
+  std::vector<std::string> load;
+  /// Write over a vehicle that is there.
+  bool replace = false;
   bool json = false;
 };
 

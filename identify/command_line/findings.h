@@ -184,6 +184,11 @@ inline const Finding kStarterFolderIsFile{"starter-folder-is-file", Severity::kE
 inline const Finding kStarterFolderNotEmpty{"starter-folder-not-empty", Severity::kError, "the folder is not empty",
                                             "name a new folder"};
 
+inline const Finding kVehicleIsThere{"vehicle-is-there", Severity::kError, "there is a vehicle already",
+                                     "name another folder, or pass --replace to write over it"};
+inline const Finding kPointsAreThere{"points-are-there", Severity::kError, "there are points already",
+                                     "use them with --points {}, or name another folder"};
+
 inline const Finding kDraftIsThere{"draft-is-there", Severity::kError, "there is a study already",
                                    "name another folder, or move it away"};
 inline const Finding kNothingToDraftFrom{"nothing-to-draft-from", Severity::kError, "no recording is in this folder",

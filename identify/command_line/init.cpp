@@ -10,6 +10,7 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/findings.h"
 #include "identify/command_line/init_from.h"
+#include "identify/command_line/init_suspension.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/starter_files.h"
@@ -68,6 +69,7 @@ std::string InitJson(const fs::path& folder) {
 
 int Run(const InitCommand& command) {
   if (!command.from.empty()) return RunInitFrom(command);
+  if (!command.suspension.empty()) return RunInitSuspension(command);
   CheckFolder(command.folder);
   WriteAll(command.folder);
   if (command.json) Print(InitJson(command.folder));

@@ -4,7 +4,7 @@
 
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
-#include "analysis/text/units.h"
+#include "analysis/text/number.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
@@ -21,7 +21,7 @@
 namespace fourpost {
 namespace {
 
-std::string InMm(double metres) { return FormatQuantity(std::round(metres * 1e5) * 1e-5, "mm"); }
+std::string InMm(double metres) { return FormatNumber(std::round(metres * 1e5) + 0.0, -2) + " mm"; }
 
 void WarnOfDeadCentres(const Vehicle& vehicle, const Suspension& suspension, const std::vector<AxleKinematics>& axles,
                        Diagnostics& findings) {

@@ -1,0 +1,245 @@
+#include "vehicles/templates/suspension_vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "analysis/text/number.h"
+#include "vehicles/description/gravity.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/ride/vehicle_summary.h"
+#include "vehicles/templates/axle_writer.h"
+#include "vehicles/templates/findings.h"
+
+namespace fourpost {
+namespace {
+
+/// Body with two people, and its centre of mass above the ground: of a passenger car.
+constexpr double kBodyMass = 1200;
+constexpr double kBodyHeight = 0.55;
+/// Front and rear [Hz]: the rear higher, so that a car pitches little behind a bump (Olley; Gillespie 1992, chapter 5).
+constexpr std::array<double, 2> kRideFrequency = {1.2, 1.4};
+constexpr double kDampingRatio = 0.3;
+/// Ratios below it are no design, or a fault.
+constexpr double kLeastRatio = 0.15;
+constexpr double kUsualIdleRatio = 0.3;
+
+/// The drawing against the level ground: R_y(pitch) p + (0, 0, rise).
+struct GroundPose {
+  double pitch = 0;
+  double rise = 0;
+
+  double HeightOf(const Eigen::Vector3d& place) const {
+    return -std::sin(pitch) * place.x() + std::cos(pitch) * place.z() + rise;
+  }
+};
+
+GroundPose GroundOf(const CarPoints& car) {
+  const Eigen::Vector3d& front = car[0].At("contact");
+  const Eigen::Vector3d span = front - car[1].At("contact");
+  GroundPose pose{.pitch = std::atan2(span.z(), span.x())};
+  pose.rise = -pose.HeightOf(front);
+  return pose;
+}
+
+std::string Fixed(double value, int power) {
+  return FormatNumber(std::round(value * std::pow(10, power)) + 0.0, -power);
+}
+
+/// Mass of the body and x of its centre in the drawing.
+struct BodyGuess {
+  double mass = kBodyMass;
+  double x = 0;
+  bool is_weighed = false;
+};
+
+std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPose& ground) {
+  const Eigen::Vector3d front = car[0].At("wheel_centre");
+  const Eigen::Vector3d rear = car[1].At("wheel_centre");
+  const double wheelbase = front.x() - rear.x();
+  const double track = front.y() + rear.y();
+  const double x = std::round(1e4 * body.x) * 1e-4;
+  const double mass = std::round(10 * body.mass) * 0.1;
+  const double z = std::round(1e3 * (0.5 * (car[0].At("contact").z() + car[1].At("contact").z()) + kBodyHeight)) * 1e-3;
+  // Dynamic index 0.9; radius of gyration in roll 0.38 of the mean track.
+  const double pitch = std::round(0.9 * mass * (front.x() - x) * (x - rear.x()));
+  const double roll = std::round(mass * 0.38 * 0.38 * track * track);
+  std::string text = "\n  <!-- Body with engine and two people; its axes and origin are those of the drawing. -->\n";
+  text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"" +
+          XyzText({x, 0, z}) + "\"/>\n      <mass value=\"" + Fixed(mass, 1) + "\"/>\n      <inertia ixx=\"" +
+          FormatNumber(roll) + "\" iyy=\"" + FormatNumber(pitch) + "\" izz=\"" + FormatNumber(pitch) +
+          "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" +
+          XyzText({x, 0, z + 0.05}) + "\"/>\n      <geometry><box size=\"" + Fixed(wheelbase + 1, 2) + " " +
+          Fixed(0.5 * track, 2) + " 0.4\"/></geometry>\n    </visual>\n  </link>\n";
+  text +=
+      "  <joint name=\"body\" type=\"floating\">\n    <parent link=\"ground\"/><child link=\"body\"/><origin xyz=\"0 "
+      "0 " +
+      Fixed(ground.rise, 9) + "\"" +
+      (std::abs(ground.pitch) > 1e-9 ? " rpy=\"0 " + Fixed(ground.pitch, 9) + " 0\"" : "") + "/>\n  </joint>\n";
+  text += Text({.name = "m_body",
+                .value = mass,
+                .lower = std::round((body.is_weighed ? 0.95 : 0.6) * mass),
+                .upper = std::round((body.is_weighed ? 1.05 : 2) * mass),
+                .precision = 0.1,
+                .unit = "kg",
+                .source = body.is_weighed ? "loads of the axles, less an estimate of wheels and axles"
+                                          : "estimate, of a passenger car: body with engine and two people; --load "
+                                            "makes it of axle loads",
+                .binds = {"link[body]/mass"}});
+  const double spread = std::round((body.is_weighed ? 30 : 150) * wheelbase);
+  text += Text({.name = "x_body",
+                .value = 1e3 * x,
+                .lower = std::round(1e3 * x - spread),
+                .upper = std::round(1e3 * x + spread),
+                .precision = 0.1,
+                .unit = "mm",
+                .source = body.is_weighed ? "centre of mass by the loads of the axles"
+                                          : "estimate: centre of mass midway between the axles",
+                .binds = {"link[body]/com/x"}});
+  text += Text({.name = "I_pitch",
+                .value = pitch,
+                .lower = std::round(0.5 * pitch),
+                .upper = std::round(2 * pitch),
+                .precision = 1,
+                .unit = "kg*m^2",
+                .source = "estimate: dynamic index 0.9, I / (m a b); the yaw inertia is as large",
+                .binds = {"link[body]/inertia/iyy", "link[body]/inertia/izz"}});
+  text += Text({.name = "I_roll",
+                .value = roll,
+                .lower = std::round(0.5 * roll),
+                .upper = std::round(1.8 * roll),
+                .precision = 1,
+                .unit = "kg*m^2",
+                .source = "estimate: radius of gyration 0.38 of the track",
+                .binds = {"link[body]/inertia/ixx"}});
+  return text;
+}
+
+std::string HeadText(const CarPoints& car, const std::string& name, const std::string& source) {
+  return "<?xml version=\"1.0\"?>\n<!-- Written by `fourpost init --suspension front=" +
+         std::string(car[0].kind->name) + ",rear=" + std::string(car[1].kind->name) + "`.\n     Points: " + source +
+         ". Masses, inertias and rates are estimates, each with its source: replace them by what you know.\n     Axes: "
+         "x "
+         "forward, y left, z up. The body has axes and origin of the drawing, so that points of body, knuckles\n     "
+         "and "
+         "axles stand as listed, in m; points of an arm are differences to the first point of its axis. Only the left\n"
+         "     side is written; fp:mirror makes the right one. -->\n<robot name=\"" +
+         name + "\" xmlns:fp=\"urn:fourpost:vehicle:1\">\n\n  <fp:mirror from=\"_left\" to=\"_right\"/>\n";
+}
+
+std::string CarText(const CarPoints& car, const BodyGuess& body, const CarGuess& guess, const std::string& name,
+                    const std::string& source) {
+  const GroundPose ground = GroundOf(car);
+  std::string text = HeadText(car, name, source) + BodyText(car, body, ground);
+  for (std::size_t i = 0; i < car.size(); ++i) {
+    AxleWriter axle(car[i], guess[i], ground.HeightOf(car[i].At("wheel_centre")));
+    axle.Comment((i == 0 ? "FRONT: " : "REAR: ") + std::string(car[i].kind->summary) + ".");
+    car[i].kind->write(axle);
+    text += axle.text();
+  }
+  return text +
+         "\n  <fp:sensor name=\"pitch_rate\" type=\"gyro\" link=\"body\" axis=\"0 1 0\"/>\n  <fp:sensor "
+         "name=\"roll_rate\" type=\"gyro\" link=\"body\" axis=\"1 0 0\"/>\n</robot>\n";
+}
+
+double RatioOf(const std::vector<StrutGeometry>& struts, std::size_t index) {
+  return index < struts.size() ? struts[index].together.value_or(0) : 0;
+}
+
+template <class Elements>
+std::size_t IndexOf(const Elements& elements, const std::string& name) {
+  const auto found = std::find_if(elements.begin(), elements.end(), [&](const auto& e) { return e.name == name; });
+  return static_cast<std::size_t>(found - elements.begin());
+}
+
+/// The ratio that rates are chosen for.
+double UsableRatio(double ratio, const AxlePoints& axle, const char* strut, const std::string& source,
+                   Diagnostics& diagnostics) {
+  if (ratio > kLeastRatio) return ratio;
+  diagnostics.Report(kStrutIdle, {source}, {axle.axle, strut, Fixed(ratio, 2)});
+  return kUsualIdleRatio;
+}
+
+struct ReadCar {
+  Vehicle vehicle;
+  VehicleSummary summary;
+};
+
+ReadCar Read(const std::string& text, const std::string& file) {
+  Diagnostics faults;
+  const std::optional<Vehicle> vehicle = ReadVehicleText(text, file, faults);
+  if (!vehicle) throw FaultyInput(faults);
+  return {*vehicle, Summarise(*vehicle, vehicle->ParameterValues())};
+}
+
+double LoadOf(const ReadCar& car, std::size_t axle) { return car.summary.chassis.axles.at(axle).load_N / kGravity; }
+
+/// The body with which the axles have these loads [kg], of one with which they have others:
+///   m' - m = F' + R' - F - R,  m' (x' - x_rear) - m (x - x_rear) = (F' - F) wheelbase.
+BodyGuess Weighed(const CarPoints& points, const BodyGuess& body, const ReadCar& car, const AxleLoads& loads) {
+  const double rear = points[1].At("wheel_centre").x();
+  const double wheelbase = points[0].At("wheel_centre").x() - rear;
+  const double front_change = loads[0] - LoadOf(car, 0);
+  const double mass = body.mass + front_change + loads[1] - LoadOf(car, 1);
+  return {mass, rear + (body.mass * (body.x - rear) + front_change * wheelbase) / mass, true};
+}
+
+/// Rates for the ride that is usual, at the motion ratios of the car as written.
+CarGuess GuessFor(const CarPoints& points, const ReadCar& car, const std::string& file, Diagnostics& diagnostics) {
+  CarGuess guess;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    AxleGuess& axle = guess[i];
+    const std::size_t tyre = IndexOf(car.vehicle.tyres, points[i].axle + "_tyre_left");
+    const double mass = car.summary.chassis.corners.at(tyre).sprung_kg.value_or(0.25 * kBodyMass);
+    const RideGeometry& ride = car.summary.ride;
+    const double spring = RatioOf(ride.springs, IndexOf(car.vehicle.springs, points[i].axle + "_coil_left"));
+    const double damper = RatioOf(ride.dampers, IndexOf(car.vehicle.dampers, points[i].axle + "_damper_left"));
+    axle.spring_ratio = UsableRatio(spring, points[i], "spring", file, diagnostics);
+    axle.damper_ratio = UsableRatio(damper, points[i], "damper", file, diagnostics);
+    const double speed = 2 * std::numbers::pi * kRideFrequency[i];
+    axle.spring_rate = mass * speed * speed / (axle.spring_ratio * axle.spring_ratio);
+    axle.damper_rate = 2 * kDampingRatio * mass * speed / (axle.damper_ratio * axle.damper_ratio);
+  }
+  return guess;
+}
+
+void ReportSlope(const CarPoints& car, const std::string& source, Diagnostics& diagnostics) {
+  const double rise = car[1].At("contact").z() - car[0].At("contact").z();
+  if (std::abs(rise) < 1e-3) return;
+  const double turn = GroundOf(car).pitch * 180 / std::numbers::pi;
+  diagnostics.Report(kGroundSlopes, {source, car[1].points.at("contact").line},
+                     {Fixed(1e3 * std::abs(rise), 1) + " mm", Fixed(turn, 2) + " deg"});
+}
+
+std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+std::string SuspensionVehicleText(const CarPoints& points, const std::optional<AxleLoads>& loads,
+                                  const std::string& name, const std::string& source, const std::string& file,
+                                  Diagnostics& diagnostics) {
+  ReportSlope(points, file, diagnostics);
+  try {
+    BodyGuess body;
+    body.x = 0.5 * (points[0].At("wheel_centre").x() + points[1].At("wheel_centre").x());
+    ReadCar car = Read(CarText(points, body, {}, name, source), file);
+    // Again for the share of heights in loads, where the drawing is tilted.
+    for (int i = 0; loads && i < 2; ++i) {
+      body = Weighed(points, body, car, *loads);
+      if (body.mass < 0.2 * ((*loads)[0] + (*loads)[1])) {
+        diagnostics.Report(kAxleLoadsTooSmall, Place::Option("--load"), {Fixed(body.mass, 0) + " kg"});
+        return {};
+      }
+      car = Read(CarText(points, body, {}, name, source), file);
+    }
+    return CarText(points, body, GuessFor(points, car, file, diagnostics), name, source);
+  } catch (const FaultyInput& faults) {
+    const std::vector<Diagnostic> items = faults.diagnostics().ByWeight();
+    diagnostics.Report(kSuspensionDoesNotWork, {file}, {items.empty() ? faults.what() : FirstLine(items[0].message)});
+    return {};
+  }
+}
+
+}  // namespace fourpost
