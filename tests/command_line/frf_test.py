@@ -89,6 +89,13 @@ class Frf(ProgramTest):
             self.assertAlmostEqual(hv * hv, h1 * h2, 9 * (h1 * h2 < 1) or 6)
             self.assertLess(coherence, 1)
 
+    def test_bounce_is_heave(self):
+        heave = self.respond("file: dwells.csv, posts: heave")
+        self.assertEqual(self.respond("file: dwells.csv, posts: bounce"), heave)
+        one, other = (self.run_program("response", "car.urdf", "--mode", mode).stdout.replace("bounce", "heave")
+                      for mode in ("heave", "bounce"))
+        self.assertEqual(one, other)
+
     def test_of_a_study_names_what_contradicts_it(self):
         for recording, finding in (("file: dwells.csv, posts: {post: 0.5, x: 1}", "sine-post-unknown"),
                                    ("file: dwells.csv, posts: heave, repeats: 3", "sine-repeats-counted"),

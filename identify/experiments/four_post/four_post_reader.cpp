@@ -80,7 +80,7 @@ class FourPostReader {
   }
 
   std::string Pattern(const YAML::Node& node) {
-    const std::string& name = node.Scalar();
+    const std::string name(PatternName(node.Scalar()));
     if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
       Fault(node, kSinePatternUnknown, {name, SuggestLegal(name, kPostPatterns)});
     return name;
