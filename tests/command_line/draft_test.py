@@ -126,7 +126,7 @@ class Draft(ProgramTest):
         for lost, jitter_s, drift, lines in (
                 ((900, 901, 1700), 0, 0.05, ("    bridge: ", "# 2 gaps, the longest ",
                                              "a_body: {channel: Chassis Acc, trend: remove}")),
-                ((), 0.0003, 0, ("    resample: 200", " Hz  # steps differ by ",
+                ((), 0.0001, 0, ("    resample: ", " Hz  # steps differ by ",
                                  "    noise:  # standard deviations at rest", "\n      a_body: "))):
             with self.subTest(jitter_s=jitter_s):
                 name = f"{len(lost)}"
