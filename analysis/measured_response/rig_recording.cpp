@@ -91,7 +91,8 @@ class RigReader {
     for (std::size_t i = 0; i < tables_.size() && known.empty(); ++i) known = PostsByName(tables_[i]);
     if (!CheckPosts(known)) return std::nullopt;
     RecordedChannel times = preparation_.time.value_or(kTimeColumn);
-    if (const std::string time = TimesColumn(tables_.front()); !preparation_.time && !time.empty()) times.names = {time};
+    if (const std::string time = TimesColumn(tables_.front()); !preparation_.time && !time.empty())
+      times.names = {time};
     for (const PostChannel& post : known) {
       out_.posts.push_back(post.post);
       Want({.names = {post.channel}, .dimension = kLength, .what = "the displacement of a post"});
@@ -202,8 +203,10 @@ class RigReader {
   bool Cut(TimeRecording& recording) {
     const auto sample = [&](double t) { return (t - recording.start_s) * recording.rate_Hz(); };
     const auto last = static_cast<double>(recording.samples()) - 1;
-    const double begin = preparation_.start_s ? std::clamp(std::ceil(sample(*preparation_.start_s) - 1e-6), 0.0, last + 1) : 0;
-    const double end = preparation_.end_s ? std::clamp(std::floor(sample(*preparation_.end_s) + 1e-6), -1.0, last) : last;
+    const double begin =
+        preparation_.start_s ? std::clamp(std::ceil(sample(*preparation_.start_s) - 1e-6), 0.0, last + 1) : 0;
+    const double end =
+        preparation_.end_s ? std::clamp(std::floor(sample(*preparation_.end_s) + 1e-6), -1.0, last) : last;
     constexpr double kLeast = 16;
     if (end - begin + 1 < kLeast && end - begin < last) {
       diagnostics_.Report(kResponseWindowEmpty, {file_.string()},

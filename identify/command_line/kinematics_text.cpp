@@ -193,7 +193,8 @@ class AxleText {
     }
     const bool is_beyond = std::any_of(travel.stations.begin(), travel.stations.end(),
                                        [this](const AxleStation& s) { return kinematics_.IsBeyondStops(s); });
-    return table.Format() + (is_beyond ? "* a wheel is beyond its last stop, which begins at " + StopsText() + '\n' : "");
+    return table.Format() +
+           (is_beyond ? "* a wheel is beyond its last stop, which begins at " + StopsText() + '\n' : "");
   }
 
   /// "-60.0 and 73.2 mm of heave"

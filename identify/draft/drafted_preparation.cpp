@@ -67,8 +67,8 @@ DraftedPreparation PreparationOf(const RecordedTable& table) {
   if (longest_s > 0 && longest_s <= kLongestBridge_s) {
     // Next to a gap times may be rounded.
     preparation.times.bridge_s = 1e-3 * std::ceil(1.05e3 * longest_s);
-    preparation.why_bridged =
-        std::to_string(count) + (count == 1 ? " gap" : " gaps") + ", the longest " + Rounded(1e3 * longest_s, 2) + " ms";
+    preparation.why_bridged = std::to_string(count) + (count == 1 ? " gap" : " gaps") + ", the longest " +
+                              Rounded(1e3 * longest_s, 2) + " ms";
   }
   return preparation;
 }

@@ -107,7 +107,8 @@ void AddChannels(const RecordedTable& table, const std::string& time, FileReadin
     const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
     const bool is_there = std::any_of(reading.channels.begin(), reading.channels.end(),
                                       [&](const OfferedChannel& channel) { return channel.name == name; });
-    if (name != time && !is_there && unit && !table.HoldsText(column)) reading.channels.push_back({name, unit->dimension});
+    if (name != time && !is_there && unit && !table.HoldsText(column))
+      reading.channels.push_back({name, unit->dimension});
   }
 }
 

@@ -239,9 +239,8 @@ class Drafter {
       if (readings_[i].kind != Kind::kHistory) continue;
       drafted_[i].use = "histories";
       list += "  - file: " + Relative(readings_[i].path) + "\n" +
-              (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") +
-              TimesOf(readings_[i]) + PostLines(readings_[i], "    posts: ", true) +
-              NoiseLines(readings_[i].preparation, drafted_[i].matches);
+              (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") + TimesOf(readings_[i]) +
+              PostLines(readings_[i], "    posts: ", true) + NoiseLines(readings_[i].preparation, drafted_[i].matches);
       const bool is_shared = shared_ && AreSame(drafted_[i].matches, drafted_[*shared_].matches);
       const std::string lines = ChannelLines(drafted_[i].matches, "      ");
       if (is_shared || (lines.empty() && !has_channels_)) continue;

@@ -13,7 +13,7 @@ from typing import Any, Callable, Mapping
 import pandas as pd
 
 from . import _arrays, _core, _html
-from .errors import Finding, refuse
+from .errors import Error, Finding, refuse
 from .study import Study
 from .vehicle import Path, Vehicle, load
 
@@ -164,8 +164,13 @@ class Run:
             if isinstance(recording, pd.DataFrame):
                 file = os.path.join(scratch, "recording.csv")
                 _write_recording(recording, units or {}, file)
-            text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
-                                           os.fspath(output or ""))
+            try:
+                text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
+                                               os.fspath(output or ""))
+            except Error as error:
+                if isinstance(recording, pd.DataFrame):
+                    raise _about_frame(error, recording, units or {}, os.fspath(file)) from None
+                raise
         return Prediction(json.loads(text), warnings)
 
     def __repr__(self) -> str:
@@ -176,6 +181,17 @@ class Run:
                  "explains the data" if self.explains_data else "does not explain the data", str(self.report)]
         return (_html.heading(str(self.folder), facts) + _html.frame(self.parameters.drop(columns="at_bound")) +
                 _html.findings(self.warnings))
+
+
+def _about_frame(error: Error, frame: pd.DataFrame, units: Mapping[str, str], file: str) -> Error:
+    """The error of the file that a frame was written to, as one of the frame: with its columns in place of lines."""
+    findings = [finding._replace(file="the frame", line=0) if finding.file == file else finding
+                for finding in error.findings]
+    columns = ", ".join(f"{name} [{units.get(str(name), 'no unit')}]" for name in frame)
+    hint = (f"the frame has the columns {columns}; a run of arrays expects post_NAME of each post and the names of the "
+            "sensors, a run of a study the channels that it names, each with its unit in `units`")
+    message = "\n".join(str(finding) for finding in findings) or str(error).replace(file, "the frame")
+    return type(error)(f"{message}\n{hint}", findings)
 
 
 def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -> None:

@@ -308,7 +308,8 @@ double SettledPose::Shift() const {
 double SettledPose::Turn() const {
   double turn = 0;
   for (std::size_t i = 0; i < rest.size(); ++i)
-    turn = std::max(turn, Eigen::AngleAxisd(Eigen::Matrix3d(rest[i].linear() * design[i].linear().transpose())).angle());
+    turn =
+        std::max(turn, Eigen::AngleAxisd(Eigen::Matrix3d(rest[i].linear() * design[i].linear().transpose())).angle());
   return turn;
 }
 

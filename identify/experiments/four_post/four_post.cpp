@@ -14,7 +14,6 @@
 #include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
-#include "identify/experiments/four_post/unit_of_sines_lint.h"
 #include "identify/experiments/four_post/four_post_residuals.h"
 #include "identify/experiments/four_post/kinematics_check.h"
 #include "identify/experiments/four_post/lacking_force.h"
@@ -29,6 +28,7 @@
 #include "identify/experiments/four_post/response_misfit_json.h"
 #include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
+#include "identify/experiments/four_post/unit_of_sines_lint.h"
 #include "identify/experiments/four_post/wheelpan_lint.h"
 #include "identify/fit/fit.h"
 #include "identify/missing_force/missing_force.h"
@@ -152,7 +152,8 @@ std::vector<ExperimentFile> FourPost::Files() const {
 }
 
 void FourPost::CheckFiles(Diagnostics& diagnostics) const {
-  for (const StudyRecording& recording : plan.recordings) ReadStudyRecording(recording, plan.file, plan.channels, {}, {}, diagnostics);
+  for (const StudyRecording& recording : plan.recordings)
+    ReadStudyRecording(recording, plan.file, plan.channels, {}, {}, diagnostics);
 }
 
 void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {

@@ -134,9 +134,9 @@ class DataLoader {
     run.excitation.shape = Shape(recording);
     // A pattern that these posts cannot make has been reported; the file's own faults are as well.
     const bool has_shape = !run.excitation.shape.empty();
-    const std::optional<FrequencyResponse> measured =
-        ReadStudyRecording(recording, file_, plan_.channels, has_shape ? NamesOf(vehicle_.posts) : std::vector<std::string>(),
-                           run.excitation.shape, diagnostics_);
+    const std::optional<FrequencyResponse> measured = ReadStudyRecording(
+        recording, file_, plan_.channels, has_shape ? NamesOf(vehicle_.posts) : std::vector<std::string>(),
+        run.excitation.shape, diagnostics_);
     if (!measured) return;
     run.excitation.frequency_Hz = measured->frequency_Hz;
     run.excitation.amplitude_m = measured->amplitude_m;

@@ -195,9 +195,8 @@ class SinePrediction {
   /// Whose channels of posts and filter are those of any other; where none states them, posts are known by name.
   const StudyRecording& FirstWithPosts() const {
     const std::vector<StudyRecording>& all = plan_.recordings;
-    const auto found = std::find_if(all.begin(), all.end(), [](const StudyRecording& recording) {
-      return recording.IsOfHistory();
-    });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [](const StudyRecording& recording) { return recording.IsOfHistory(); });
     return found == all.end() ? all.front() : *found;
   }
 
@@ -205,7 +204,8 @@ class SinePrediction {
   std::vector<std::string> SetMotion(StudyRecording& recording) const {
     const std::vector<std::string> posts = NamesOf(subject_.vehicle().posts);
     Diagnostics diagnostics;
-    const auto content = ReadHistoryContent(recording, subject_.study_file().string(), plan_.channels, posts, diagnostics);
+    const auto content =
+        ReadHistoryContent(recording, subject_.study_file().string(), plan_.channels, posts, diagnostics);
     if (!content) throw FaultyInput(diagnostics);
     if (request_.mode.empty() && content->shapes.size() > 1)
       Refuse(kSineSeveralMotions, {request_.recording.string()}, {std::to_string(content->shapes.size())});

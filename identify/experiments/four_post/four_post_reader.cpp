@@ -41,10 +41,9 @@ class FourPostReader {
       return;
     }
     for (const YAML::Node& entry : list) {
-      const StrictMap map =
-          Map(entry, "the recording",
-              {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample", "bridge", "with",
-               "time", "start", "end"});
+      const StrictMap map = Map(entry, "the recording",
+                                {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample",
+                                 "bridge", "with", "time", "start", "end"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
@@ -66,8 +65,8 @@ class FourPostReader {
     const std::string where = "recording '" + recording.name + "'";
     recording.preparation = ReadTimePreparation(map, where);
     if (map.Has("time"))
-      recording.time = ReadSourceChannel(map.Get("time"), "'time' of " + where, ChannelKind::kHistory, file_,
-                                         study_.diagnostics());
+      recording.time =
+          ReadSourceChannel(map.Get("time"), "'time' of " + where, ChannelKind::kHistory, file_, study_.diagnostics());
     recording.start_s = map.Quantity("start", kTime, -1e9);
     recording.end_s = map.Quantity("end", kTime, -1e9);
     if (recording.start_s && recording.end_s && !(*recording.start_s < *recording.end_s))

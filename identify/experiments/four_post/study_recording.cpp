@@ -160,7 +160,9 @@ bool IsOverTime(const StudyRecording& recording) {
   return IsTimeHistory(*table) || (recording.time && table->FindColumn(recording.time->name));
 }
 
-bool IsOverTime(const std::filesystem::path& file) { return IsOverTime(StudyRecording{.name = {}, .file = file, .posts = {}, .pattern = {}}); }
+bool IsOverTime(const std::filesystem::path& file) {
+  return IsOverTime(StudyRecording{.name = {}, .file = file, .posts = {}, .pattern = {}});
+}
 
 std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording, const std::string& study,
                                                  const StudyChannels& channels, const std::vector<std::string>& posts,
@@ -176,7 +178,8 @@ std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& record
   if (recording.IsOfHistory()) diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
   for (const auto& [sensor, source] : channels)
     for (const SourceChannel& channel : source.channels)
-      if (IsPrepared(channel)) diagnostics.Report(kSineChannelOfHistory, {study, source.line}, {sensor, recording.name});
+      if (IsPrepared(channel))
+        diagnostics.Report(kSineChannelOfHistory, {study, source.line}, {sensor, recording.name});
   return ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
 }
 

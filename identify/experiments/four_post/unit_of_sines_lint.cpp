@@ -30,7 +30,8 @@ std::string AmplitudeRemedy(const StudyRecording* stated, double amplitude_m, in
   const std::string millimetres = ShortNumber(1e3 * amplitude_m * (direction > 0 ? 1e-3 : 1e3), 3) + " mm";
   if (stated == nullptr) return "amplitudes in m";
   if (stated->amplitude_m) return "amplitude: " + millimetres;
-  if (!IsOverTime(*stated)) return "post_amplitude_m in m, from rest to peak, into the table (here perhaps " + millimetres + ")";
+  if (!IsOverTime(*stated))
+    return "post_amplitude_m in m, from rest to peak, into the table (here perhaps " + millimetres + ")";
   std::vector<std::filesystem::path> files = {stated->file};
   for (const OtherFile& other : stated->preparation.others) files.push_back(other.path);
   std::string line;
@@ -67,7 +68,8 @@ bool LintAmplitudes(const FourPostPlan& plan, const std::vector<MeasuredRun>& ru
     const StudyRecording* const stated = StatedAs(plan, run.name);
     ReportWith(is_sure ? severity : Severity::kWarning, kRigAmplitude,
                {.file = plan.file, .line = stated == nullptr ? 0 : stated->line},
-               {run.name, ShortNumber(1e3 * most, 3), AmplitudeRemedy(stated, most, most > kMost_m ? 1 : -1)}, diagnostics);
+               {run.name, ShortNumber(1e3 * most, 3), AmplitudeRemedy(stated, most, most > kMost_m ? 1 : -1)},
+               diagnostics);
   }
   return good;
 }
@@ -87,8 +89,8 @@ void LintSineUnits(const FourPostPlan& plan, const Vehicle& vehicle, const std::
     const double ratio = model > 0 ? std::sqrt(measured / model) : 1;
     const int direction = ThousandfoldOf(ratio);
     const std::string& name = vehicle.sensors[s].name;
-    const auto source = std::find_if(plan.channels.begin(), plan.channels.end(),
-                                     [&](const auto& one) { return one.first == name; });
+    const auto source =
+        std::find_if(plan.channels.begin(), plan.channels.end(), [&](const auto& one) { return one.first == name; });
     if (direction == 0 || source == plan.channels.end()) continue;
     ChannelSource meant = source->second;
     for (SourceChannel& channel : meant.channels) channel.factor *= direction > 0 ? 1e-3 : 1e3;

@@ -60,8 +60,9 @@ class UnitLinter {
       ratios.push_back(deviation > 0 ? history.signals[i].Deviation() / deviation : 1);
       direction.push_back(ThousandfoldOf(ratios.back()));
     }
-    const bool is_common = direction.size() > 1 && direction.front() != 0 &&
-                           std::all_of(direction.begin(), direction.end(), [&](int d) { return d == direction.front(); });
+    const bool is_common =
+        direction.size() > 1 && direction.front() != 0 &&
+        std::all_of(direction.begin(), direction.end(), [&](int d) { return d == direction.front(); });
     // A linear vehicle's channels go with its posts.
     if (is_common && StatedOf(history) != nullptr && !StatedOf(history)->posts.empty()) {
       ReportPosts(history, -direction.front(),
