@@ -126,6 +126,44 @@ void AddBeside(const OtherFile& other, FileReading& reading) {
   if (reading.preparation.why_bridged.empty()) reading.preparation.why_bridged = beside.why_bridged;
 }
 
+/// Most channels of motion have far less of it in the last quarter than in the first, where the vehicle was let go.
+bool ComesToRest(const RecordedTable& table, const FileReading& reading) {
+  constexpr double kFarLess = 0.2;
+  int moving = 0;
+  int resting = 0;
+  for (const OfferedChannel& channel : reading.channels) {
+    if (!(channel.dimension == kLength || channel.dimension == kAcceleration)) continue;
+    const std::size_t column = *table.FindColumn(channel.name);
+    const std::size_t rows = table.rows(column);
+    const auto spread = [&](std::size_t from, std::size_t to) {
+      double sum = 0;
+      double squares = 0;
+      for (std::size_t row = from; row < to; ++row) {
+        const double value = table.Number(row, column).value_or(0);
+        sum += value;
+        squares += value * value;
+      }
+      const auto count = static_cast<double>(std::max<std::size_t>(1, to - from));
+      return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
+    };
+    const double first = spread(0, rows / 4);
+    if (first == 0) continue;
+    ++moving;
+    if (spread(rows - rows / 4, rows) < kFarLess * first) ++resting;
+  }
+  return moving > 0 && 2 * resting > moving;
+}
+
+/// Driven by actuators, or let go.
+void ReadAtRestingPosts(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
+  reading.actuators = MatchChannels(SoughtActuators(vehicle), reading.channels, HasSides(vehicle));
+  for (const ChannelMatch& actuator : reading.actuators)
+    for (const SourceChannel& source : actuator.source.channels)
+      std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == source.name; });
+  reading.is_release = reading.actuators.empty() && ComesToRest(table, reading);
+  if (!reading.actuators.empty() || reading.is_release) reading.kind = FileReading::Kind::kHistory;
+}
+
 void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
   const std::string time = TimesColumn(table);
   if (time.empty()) {
@@ -147,6 +185,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   if (reading.posts.size() < vehicle.posts.size()) {
     reading.reason = "no channels found for all posts";
     reading.is_without_posts = reading.posts.empty();
+    if (reading.is_without_posts) ReadAtRestingPosts(table, vehicle, reading);
     return;
   }
   reading.kind = FileReading::Kind::kHistory;

@@ -38,6 +38,9 @@ struct FileReading {
   DraftedPreparation preparation = {};
   /// Over time, and of a vehicle with posts, but without theirs: perhaps recorded beside another file.
   bool is_without_posts = false;
+  /// Histories whose posts rest: what drives the vehicle's actuators; or it is let go and comes to rest.
+  std::vector<ChannelMatch> actuators = {};
+  bool is_release = false;
 };
 
 /// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.

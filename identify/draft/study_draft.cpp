@@ -112,6 +112,7 @@ class Drafter {
         if (IsOverPosts(readings_[i]) && AreOfOneTime(readings_[i], lone)) partners.push_back(i);
       if (partners.size() != 1) continue;
       beside[partners.front()].push_back(lone.path);
+      lone.kind = Kind::kUnread;
       lone.reason = "recorded beside " + readings_[partners.front()].path.filename().string();
     }
     for (const auto& [place, others] : beside) {
@@ -121,7 +122,7 @@ class Drafter {
   }
 
   static bool IsOverPosts(const FileReading& reading) {
-    return reading.kind == Kind::kHistory || reading.kind == Kind::kDwells;
+    return (reading.kind == Kind::kHistory || reading.kind == Kind::kDwells) && !reading.is_without_posts;
   }
 
   /// What both have is nearly all of either.
@@ -225,6 +226,15 @@ class Drafter {
 
   /// Where names do not say which channels the posts' are. `recordings` take one channel of each.
   static std::string PostLines(const FileReading& reading, const std::string& key, bool takes_several) {
+    if (reading.is_release)
+      return "    release: estimated  # look at: no post moves, and the vehicle comes to rest; set `start` to the "
+             "release\n";
+    if (!reading.actuators.empty()) {
+      std::string list;
+      for (const ChannelMatch& actuator : reading.actuators)
+        list += (list.empty() ? "" : ", ") + actuator.name + ": " + SourceText(actuator.source);
+      return "    actuators: {" + list + "}  # look at: tension is positive; posts rest\n";
+    }
     if (std::all_of(reading.posts.begin(), reading.posts.end(), IsPostNamedSo)) return "";
     std::string text;
     for (const ChannelMatch& post : reading.posts)

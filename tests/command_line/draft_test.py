@@ -140,6 +140,21 @@ class Draft(ProgramTest):
                     # The car is the one that was simulated, with noise of 0.1 %.
                     self.assertLess(abs(parameter["value"] / parameter["start"] - 1), 0.05, parameter["name"])
 
+    def test_takes_what_is_let_go_and_what_is_driven(self):
+        release = "t,z_body,a_body\ns,mm,m/s^2\n" + "".join(
+            f"{k / RATE:.4f},{50 * math.exp(-2 * k / RATE) * math.cos(8 * k / RATE):.5f},"
+            f"{-2 * math.exp(-2 * k / RATE) * math.cos(8 * k / RATE + 0.3):.5f}\n" for k in range(4 * RATE))
+        self.write("drop.csv", release)
+        self.run_program("init", "drop", "--from", "drop.csv", "--vehicle", "car.urdf")
+        self.assertIn("    release: estimated  # look at", (self.folder / "drop/study.yaml").read_text())
+        text = (self.folder / "car.urdf").read_text()
+        ends = text.split("<fp:damper ")[1].split(">")[0].split("parent=")[1].rstrip("/")
+        self.write("active.urdf", text.replace("<fp:post", f'<fp:actuator name="actuator" parent={ends}/>\n  <fp:post', 1))
+        self.write("active.csv", "t,Actuator Force,a_body\ns,lbf,g\n" + "".join(
+            f"{k / RATE:.4f},{60 * math.sin(0.02 * k):.5f},{0.1 * math.sin(0.02 * k + 0.2):.5f}\n" for k in range(4 * RATE)))
+        self.run_program("init", "active", "--from", "active.csv", "--vehicle", "active.urdf")
+        self.assertIn("    actuators: {actuator: Actuator Force}  # look at", (self.folder / "active/study.yaml").read_text())
+
     def test_takes_a_damper_from_its_bench(self):
         damper = SOURCE / "studies/damper"
         rows = (damper / "sine_5Hz_3mm.csv").read_text().splitlines()
