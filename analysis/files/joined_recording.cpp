@@ -3,6 +3,7 @@
 
 #include "analysis/files/findings.h"
 #include "analysis/files/recorded_table.h"
+#include "analysis/files/recording_summary.h"
 #include "analysis/files/sample_times.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/uneven_samples.h"
@@ -71,7 +72,11 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
       if (HasOneOf(*beside, wanted[place])) here.push_back(place);
     if (here.empty()) continue;
     std::erase_if(open, [&](std::size_t place) { return std::find(here.begin(), here.end(), place) != here.end(); });
-    const std::optional<TimeRecording> part = ReadTimeRecording(*beside, chosen(here), diagnostics, time, preparation);
+    // Another recorder may call its times otherwise.
+    RecordedChannel times = HasOneOf(*beside, time) ? time : kTimeColumn;
+    if (!HasOneOf(*beside, times))
+      if (const std::string usual = TimesColumn(*beside); !usual.empty()) times.names = {usual};
+    const std::optional<TimeRecording> part = ReadTimeRecording(*beside, chosen(here), diagnostics, times, preparation);
     if (!part) return std::nullopt;
     whole.preparations.push_back("with " + other.path.filename().string() +
                                  (other.delay_s != 0 ? ", " + SecondsText(other.delay_s) + " ahead" : ""));

@@ -57,6 +57,14 @@ std::optional<Unit> ParseRecordedUnit(std::string_view text) {
   if (unit == "g" || unit == "gn") return Unit{kGravity, kAcceleration};
   if (unit == "um") return Unit{1e-6, kLength};
   if (unit == "-") return Unit{};
+  // Exact by the international yard and pound of 1959.
+  constexpr double kInch = 0.0254;
+  constexpr double kPound = 0.45359237;
+  if (unit == "in" || unit == "inch") return Unit{kInch, kLength};
+  if (unit == "in/s") return Unit{kInch, kVelocity};
+  if (unit == "ft") return Unit{12 * kInch, kLength};
+  if (unit == "ft/s^2") return Unit{12 * kInch, kAcceleration};
+  if (unit == "lbf") return Unit{kPound * kGravity, kForce};
   return ParseUnit(unit);
 }
 

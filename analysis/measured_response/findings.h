@@ -11,6 +11,9 @@ inline const Finding kResponsePostsUnknown{
     "name those of the posts: --post CHANNEL=FL, or 'post_channels' in a study"};
 inline const Finding kResponsePostMissing{"response-post-missing", Severity::kError,
                                           "no channel '{}' of a length for post '{}'{}", "name that of the post"};
+inline const Finding kResponseWindowEmpty{"response-window-empty", Severity::kError,
+                                          "'start' and 'end' leave no samples; the file goes from {} s to {} s",
+                                          "correct 'start' and 'end'"};
 inline const Finding kResponseReferenceUnknown{"response-reference-unknown", Severity::kError,
                                                "'{}' is not one of the posts, which are {}", "name one of these"};
 inline const Finding kResponseNoChannel{"response-no-channel", Severity::kError,

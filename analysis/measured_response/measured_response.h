@@ -30,7 +30,7 @@ struct ResponseRequest {
   /// Empty: found in the posts' motion.
   std::optional<ExcitationKind> kind = {};
   std::optional<AcquisitionFilter> filter = {};
-  TimePreparation preparation = {};
+  RigPreparation preparation = {};
   /// Of sweeps and random motions, rising; empty: 64 over the band in which the posts move.
   std::vector<double> frequencies_Hz = {};
 };

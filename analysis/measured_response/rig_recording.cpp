@@ -12,6 +12,7 @@
 #include "analysis/files/time_recording.h"
 #include "analysis/measured_response/findings.h"
 #include "analysis/text/nearest.h"
+#include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {
@@ -54,13 +55,13 @@ bool IsAngularVelocity(const Unit& unit, std::string_view text) {
 }
 
 /// Empty for what is no response of a vehicle.
-std::string ResponseUnit(const RecordedTable& table, std::size_t column) {
-  const std::optional<Unit> unit = UnitOf(table, column);
+std::string ResponseUnit(const std::string& text) {
+  const std::optional<Unit> unit = ParseRecordedUnit(text);
   if (!unit) return {};
   if (unit->dimension == kLength) return "m";
   if (unit->dimension == kForce) return "N";
   if (unit->dimension == kAcceleration) return "m/s^2";
-  return IsAngularVelocity(*unit, table.unit(column)) ? "rad/s" : "";
+  return IsAngularVelocity(*unit, text) ? "rad/s" : "";
 }
 
 /// A column of numbers with its unit, where that is not known: "'oil' (foo)"; else empty.
@@ -78,19 +79,155 @@ std::string ListOr(const std::vector<std::string>& names, const std::string& non
   return text.empty() ? none : text;
 }
 
-bool CheckPosts(const RecordedTable& table, std::span<const PostChannel> posts, Diagnostics& diagnostics) {
-  const std::vector<std::string> lengths = Lengths(table);
-  bool good = true;
-  for (const PostChannel& post : posts) {
-    if (std::find(lengths.begin(), lengths.end(), post.channel) != lengths.end()) continue;
-    diagnostics.Report(kResponsePostMissing, {table.file(), table.names_line()},
-                       {post.channel, post.post, DidYouMean(post.channel, lengths)});
-    good = false;
+/// Reads one recording, with the files beside it.
+class RigReader {
+ public:
+  RigReader(const std::filesystem::path& file, const RigPreparation& preparation, Diagnostics& diagnostics)
+      : file_(file), preparation_(preparation), diagnostics_(diagnostics) {}
+
+  std::optional<RigRecording> Read(std::span<const PostChannel> posts) {
+    if (!ReadTables()) return std::nullopt;
+    std::vector<PostChannel> known(posts.begin(), posts.end());
+    for (std::size_t i = 0; i < tables_.size() && known.empty(); ++i) known = PostsByName(tables_[i]);
+    if (!CheckPosts(known)) return std::nullopt;
+    RecordedChannel times = preparation_.time.value_or(kTimeColumn);
+    if (const std::string time = TimesColumn(tables_.front()); !preparation_.time && !time.empty())
+      times.names = {time};
+    for (const PostChannel& post : known) {
+      out_.posts.push_back(post.post);
+      Want({.names = {post.channel}, .dimension = kLength, .what = "the displacement of a post"});
+    }
+    for (const RecordedTable& table : tables_) {
+      std::vector<std::string> no_channels = times.names;
+      no_channels.push_back(TimesColumn(table));
+      WantChannels(table, no_channels);
+    }
+    if (out_.names.empty()) {
+      diagnostics_.Report(kResponseNoChannel, {tables_.front().file(), tables_.front().names_line()});
+      return std::nullopt;
+    }
+    std::optional<TimeRecording> recording =
+        tables_.size() > 1 ? ReadTimeRecording(file_, wanted_, diagnostics_, times, preparation_.times)
+                           : ReadTimeRecording(tables_.front(), wanted_, diagnostics_, times, preparation_.times);
+    if (!recording || !Cut(*recording)) return std::nullopt;
+    out_.rate_Hz = recording->rate_Hz();
+    const auto first = std::make_move_iterator(recording->channels.begin());
+    const auto middle = first + static_cast<std::ptrdiff_t>(known.size());
+    out_.heights.assign(first, middle);
+    out_.channels.assign(middle, std::make_move_iterator(recording->channels.end()));
+    return std::move(out_);
   }
-  if (!posts.empty()) return good;
-  diagnostics.Report(kResponsePostsUnknown, {table.file(), table.names_line()}, {ListOr(lengths, "none")});
-  return false;
-}
+
+ private:
+  bool ReadTables() {
+    std::vector<std::filesystem::path> files = {file_};
+    for (const OtherFile& other : preparation_.times.others) files.push_back(other.path);
+    for (const std::filesystem::path& file : files) {
+      std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics_);
+      if (!table) return false;
+      tables_.push_back(*std::move(table));
+    }
+    return true;
+  }
+
+  /// Null of a channel of which nothing is stated.
+  const RecordedChannel* Stated(const std::string& name) const {
+    for (const RecordedChannel& channel : preparation_.channels)
+      if (channel.names.front() == name) return &channel;
+    return nullptr;
+  }
+
+  bool CheckPosts(const std::vector<PostChannel>& posts) {
+    std::vector<std::string> lengths;
+    std::vector<std::string> all;
+    for (const RecordedTable& table : tables_) {
+      const std::vector<std::string> here = Lengths(table);
+      lengths.insert(lengths.end(), here.begin(), here.end());
+      all.insert(all.end(), table.names().begin(), table.names().end());
+    }
+    const RecordedTable& table = tables_.front();
+    bool good = true;
+    for (const PostChannel& post : posts) {
+      // What is no length is read as one where a unit or an integral is stated.
+      const RecordedChannel* const stated = Stated(post.channel);
+      const bool is_made = stated != nullptr && (!stated->unit.empty() || stated->integrated_above_Hz);
+      const std::vector<std::string>& such = is_made ? all : lengths;
+      if (std::find(such.begin(), such.end(), post.channel) != such.end()) continue;
+      diagnostics_.Report(kResponsePostMissing, {table.file(), table.names_line()},
+                          {post.channel, post.post, DidYouMean(post.channel, lengths)});
+      good = false;
+    }
+    if (!posts.empty()) return good;
+    diagnostics_.Report(kResponsePostsUnknown, {table.file(), table.names_line()}, {ListOr(lengths, "none")});
+    return false;
+  }
+
+  void Want(RecordedChannel channel) {
+    if (const RecordedChannel* const stated = Stated(channel.names.front())) {
+      const RecordedChannel plain = std::move(channel);
+      channel = *stated;
+      channel.names = plain.names;
+      channel.dimension = plain.dimension;
+      channel.what = plain.what;
+    }
+    wanted_.push_back(std::move(channel));
+  }
+
+  void WantChannels(const RecordedTable& table, const std::vector<std::string>& times) {
+    for (std::size_t column = 0; column < table.names().size(); ++column) {
+      const std::string& name = table.names()[column];
+      const bool is_wanted = std::any_of(wanted_.begin(), wanted_.end(),
+                                         [&](const RecordedChannel& other) { return other.names.front() == name; });
+      if (is_wanted || std::find(times.begin(), times.end(), name) != times.end()) continue;
+      const RecordedChannel* const stated = Stated(name);
+      const std::string text = stated == nullptr || stated->unit.empty() ? table.unit(column) : stated->unit;
+      std::string unit = ResponseUnit(text);
+      std::optional<Unit> parsed = ParseRecordedUnit(text);
+      if (stated != nullptr && stated->integrated_above_Hz && parsed) {
+        unit = "m";
+        parsed->dimension = kLength;
+      }
+      if (unit.empty() || table.HoldsText(column)) {
+        out_.left_out.push_back(name);
+        if (const std::string unknown = UnknownUnit(table, column); !unknown.empty())
+          out_.unit_unknown.push_back(unknown);
+        continue;
+      }
+      out_.names.push_back(name);
+      out_.units.push_back(unit);
+      Want({.names = {name}, .dimension = parsed->dimension, .what = "a channel"});
+    }
+  }
+
+  /// To the stated window; false where nothing is left of it.
+  bool Cut(TimeRecording& recording) {
+    const auto sample = [&](double t) { return (t - recording.start_s) * recording.rate_Hz(); };
+    const auto last = static_cast<double>(recording.samples()) - 1;
+    const double begin =
+        preparation_.start_s ? std::clamp(std::ceil(sample(*preparation_.start_s) - 1e-6), 0.0, last + 1) : 0;
+    const double end =
+        preparation_.end_s ? std::clamp(std::floor(sample(*preparation_.end_s) + 1e-6), -1.0, last) : last;
+    constexpr double kLeast = 16;
+    if (end - begin + 1 < kLeast && end - begin < last) {
+      diagnostics_.Report(kResponseWindowEmpty, {file_.string()},
+                          {Rounded(recording.start_s, 3), Rounded(recording.end_s, 3)});
+      return false;
+    }
+    for (std::vector<double>& channel : recording.channels) {
+      channel.erase(channel.begin() + static_cast<std::ptrdiff_t>(end) + 1, channel.end());
+      channel.erase(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+    return true;
+  }
+
+  const std::filesystem::path& file_;
+  const RigPreparation& preparation_;
+  Diagnostics& diagnostics_;
+  /// The first is that of the file.
+  std::vector<RecordedTable> tables_;
+  std::vector<RecordedChannel> wanted_;
+  RigRecording out_;
+};
 
 }  // namespace
 
@@ -114,47 +251,8 @@ std::vector<PostChannel> PostsByName(const RecordedTable& table) {
 }
 
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
-                                             Diagnostics& diagnostics, const TimePreparation& preparation) {
-  const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
-  if (!table) return std::nullopt;
-  const std::vector<PostChannel> known =
-      posts.empty() ? PostsByName(*table) : std::vector<PostChannel>(posts.begin(), posts.end());
-  if (!CheckPosts(*table, known, diagnostics)) return std::nullopt;
-  const std::string time = TimesColumn(*table);
-  RigRecording out;
-  std::vector<RecordedChannel> wanted;
-  for (const PostChannel& post : known) {
-    out.posts.push_back(post.post);
-    wanted.push_back({.names = {post.channel}, .dimension = kLength, .what = "the displacement of a post"});
-  }
-  for (std::size_t column = 0; column < table->names().size(); ++column) {
-    const std::string& name = table->names()[column];
-    const auto is_post = [&](const PostChannel& post) { return post.channel == name; };
-    if (name == time || std::any_of(known.begin(), known.end(), is_post)) continue;
-    const std::string unit = ResponseUnit(*table, column);
-    if (unit.empty() || table->HoldsText(column)) {
-      out.left_out.push_back(name);
-      if (const std::string text = UnknownUnit(*table, column); !text.empty()) out.unit_unknown.push_back(text);
-      continue;
-    }
-    out.names.push_back(name);
-    out.units.push_back(unit);
-    wanted.push_back({.names = {name}, .dimension = UnitOf(*table, column)->dimension, .what = "a channel"});
-  }
-  if (out.names.empty()) {
-    diagnostics.Report(kResponseNoChannel, {table->file(), table->names_line()});
-    return std::nullopt;
-  }
-  RecordedChannel times = kTimeColumn;
-  if (!time.empty()) times.names = {time};
-  std::optional<TimeRecording> recording = ReadTimeRecording(*table, wanted, diagnostics, times, preparation);
-  if (!recording) return std::nullopt;
-  out.rate_Hz = recording->rate_Hz();
-  const auto first = std::make_move_iterator(recording->channels.begin());
-  const auto middle = first + static_cast<std::ptrdiff_t>(known.size());
-  out.heights.assign(first, middle);
-  out.channels.assign(middle, std::make_move_iterator(recording->channels.end()));
-  return out;
+                                             Diagnostics& diagnostics, const RigPreparation& preparation) {
+  return RigReader(file, preparation, diagnostics).Read(posts);
 }
 
 }  // namespace fourpost

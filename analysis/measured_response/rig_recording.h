@@ -19,6 +19,19 @@ struct PostChannel {
   std::string post;
 };
 
+/// What is stated of a time history beside the names of its posts.
+struct RigPreparation {
+  /// Of its times, and the files that were recorded beside it.
+  TimePreparation times = {};
+  /// The column of times; empty: TimesColumn().
+  std::optional<RecordedChannel> time = {};
+  /// Unit, offset, drift and delay of channels, posts too, by the first of their names.
+  std::vector<RecordedChannel> channels = {};
+  /// What is before and after is left out.
+  std::optional<double> start_s = {};
+  std::optional<double> end_s = {};
+};
+
 /// A time history of a rig in SI: displacements of posts, and all other channels in a unit of a length, a force, an
 /// acceleration or an angular velocity.
 struct RigRecording {
@@ -44,6 +57,6 @@ std::vector<PostChannel> PostsByName(const RecordedTable& table);
 
 /// Reads a time history; posts by PostsByName() where `posts` is empty. Adds every fault; nothing when there was one.
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
-                                             Diagnostics& diagnostics, const TimePreparation& preparation = {});
+                                             Diagnostics& diagnostics, const RigPreparation& preparation = {});
 
 }  // namespace fourpost

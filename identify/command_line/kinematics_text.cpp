@@ -159,7 +159,10 @@ class AxleText {
     std::vector<Column> columns = {{travel.kind == Kind::kHeave  ? "heave, mm"
                                     : travel.kind == Kind::kRoll ? "roll, mm"
                                                                  : travel.name + " alone, mm",
-                                    [](const AxleStation& s) { return WithDecimals(kPerMm * s.travel, 1); }}};
+                                    [this](const AxleStation& s) {
+                                      return WithDecimals(kPerMm * s.travel, 1) +
+                                             (kinematics_.IsBeyondStops(s) ? " *" : "");
+                                    }}};
     if (travel.kind == Kind::kRoll)
       columns.push_back({"deg", [](const AxleStation& s) { return WithDecimals(kPerDeg * s.roll, 2); }});
     const bool is_heave = travel.kind == Kind::kHeave;
@@ -188,7 +191,18 @@ class AxleText {
       for (const Column& column : columns) row.push_back(column.cell(*station));
       table.Add(row);
     }
-    return table.Format();
+    const bool is_beyond = std::any_of(travel.stations.begin(), travel.stations.end(),
+                                       [this](const AxleStation& s) { return kinematics_.IsBeyondStops(s); });
+    return table.Format() +
+           (is_beyond ? "* a wheel is beyond its last stop, which begins at " + StopsText() + '\n' : "");
+  }
+
+  /// "-60.0 and 73.2 mm of heave"
+  std::string StopsText() const {
+    std::string text;
+    for (const std::optional<double>& stop : {kinematics_.stop_lower, kinematics_.stop_upper})
+      if (stop) text += (text.empty() ? "" : " and ") + WithDecimals(kPerMm * *stop, 1);
+    return text + " mm of heave";
   }
 
   void AddAxle(std::vector<Column>& columns) const {

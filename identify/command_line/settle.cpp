@@ -28,6 +28,9 @@ using SettleJson = nlohmann::ordered_json;
 
 /// A tenth of a micrometre.
 constexpr double kAtRest_m = 1e-7;
+/// The same at a metre.
+constexpr double kAtRest_rad = 1e-7;
+constexpr double kDegrees = 180 / std::numbers::pi;
 
 std::string Decimals(double value, int decimals) {
   char text[64];
@@ -47,7 +50,7 @@ std::string BodyTable(const Vehicle& vehicle, const SettledPose& pose) {
   TextTable table({"link", "forward, mm", "left, mm", "up, mm", "roll, deg", "pitch, deg", "yaw, deg"});
   for (std::size_t i = 1; i < vehicle.links.size(); ++i) {
     const Eigen::Vector3d shift = 1000 * (pose.rest[i].translation() - pose.design[i].translation());
-    const Eigen::Vector3d turn = 180 / std::numbers::pi * TurnBetween(pose.design[i], pose.rest[i]);
+    const Eigen::Vector3d turn = kDegrees * TurnBetween(pose.design[i], pose.rest[i]);
     table.Add({vehicle.links[i].name, Decimals(shift.x(), 2), Decimals(shift.y(), 2), Decimals(shift.z(), 2),
                Decimals(turn.x(), 3), Decimals(turn.y(), 3), Decimals(turn.z(), 3)});
   }
@@ -65,10 +68,28 @@ std::string StrutTable(const std::vector<SettledPose::Strut>& struts) {
   return table.Format();
 }
 
+bool IsAtRest(const SettledPose& pose) { return pose.Shift() < kAtRest_m && pose.Turn() < kAtRest_rad; }
+
+/// The body is the link with the largest mass: its turn is what a user sees first.
+std::string Headline(const Vehicle& vehicle, const SettledPose& pose) {
+  if (IsAtRest(pose)) return vehicle.name + ": the design pose is at rest\n\n";
+  std::string text = vehicle.name + ": settles by up to " + Decimals(1000 * pose.Shift(), 2) + " mm and " +
+                     Decimals(kDegrees * pose.Turn(), 3) + " deg";
+  std::size_t heaviest = 0;
+  const std::vector<double> values = vehicle.ParameterValues();
+  for (std::size_t i = 1; i < vehicle.links.size(); ++i)
+    if (heaviest == 0 || vehicle.links[i].mass.At(values) > vehicle.links[heaviest].mass.At(values)) heaviest = i;
+  const Eigen::Vector3d turn = kDegrees * TurnBetween(pose.design[heaviest], pose.rest[heaviest]);
+  // As the tables show it.
+  constexpr double kSeen_deg = 0.0005;
+  if (turn.norm() >= kSeen_deg)
+    text += "; '" + vehicle.links[heaviest].name + "' rolls " + Decimals(turn.x(), 3) + " deg and pitches " +
+            Decimals(turn.y(), 3) + " deg";
+  return text + "\n\n";
+}
+
 std::string TextOf(const Vehicle& vehicle, const SettledPose& pose) {
-  std::string text =
-      vehicle.name + (pose.Shift() < kAtRest_m ? ": the design pose is at rest\n\n"
-                                               : ": settles by up to " + Decimals(1000 * pose.Shift(), 2) + " mm\n\n");
+  std::string text = Headline(vehicle, pose);
   text += BodyTable(vehicle, pose) + '\n';
   std::vector<SettledPose::Strut> struts = pose.springs;
   struts.insert(struts.end(), pose.tyres.begin(), pose.tyres.end());
@@ -106,7 +127,7 @@ std::string JsonOf(const Vehicle& vehicle, const SettledPose& pose, const Diagno
     links.push_back(link);
   }
   const SettleJson json = {{"vehicle", vehicle.name},
-                           {"is_at_rest_as_drawn", pose.Shift() < kAtRest_m},
+                           {"is_at_rest_as_drawn", IsAtRest(pose)},
                            {"links", links},
                            {"springs", StrutsJson(pose.springs)},
                            {"tyres", StrutsJson(pose.tyres)},

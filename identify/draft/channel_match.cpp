@@ -167,6 +167,12 @@ std::vector<SoughtChannel> SoughtTyres(const Vehicle& vehicle) {
   return sought;
 }
 
+std::vector<SoughtChannel> SoughtActuators(const Vehicle& vehicle) {
+  std::vector<SoughtChannel> sought;
+  for (const Actuator& actuator : vehicle.actuators) sought.push_back({actuator.name, kForce});
+  return sought;
+}
+
 bool HasSides(const Vehicle& vehicle) {
   try {
     PostPattern(vehicle, "roll");

@@ -55,6 +55,8 @@ std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought
 std::vector<SoughtChannel> SoughtSensors(const Vehicle& vehicle);
 std::vector<SoughtChannel> SoughtPosts(const Vehicle& vehicle);
 std::vector<SoughtChannel> SoughtTyres(const Vehicle& vehicle);
+/// Tensions.
+std::vector<SoughtChannel> SoughtActuators(const Vehicle& vehicle);
 
 /// Whether posts stand left and right.
 bool HasSides(const Vehicle& vehicle);

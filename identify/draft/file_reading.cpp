@@ -101,17 +101,80 @@ std::vector<double> ShapeOf(const Vehicle& vehicle, const FileReading& reading, 
   return shape;
 }
 
+void AddChannels(const RecordedTable& table, const std::string& time, FileReading& reading) {
+  for (std::size_t column = 0; column < table.names().size(); ++column) {
+    const std::string& name = table.names()[column];
+    const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+    const bool is_there = std::any_of(reading.channels.begin(), reading.channels.end(),
+                                      [&](const OfferedChannel& channel) { return channel.name == name; });
+    if (name != time && !is_there && unit && !table.HoldsText(column))
+      reading.channels.push_back({name, unit->dimension});
+  }
+}
+
+/// The channels of another file, and what is known of them.
+void AddBeside(const OtherFile& other, FileReading& reading) {
+  Diagnostics unheard;
+  const std::optional<RecordedTable> table = ReadRecordedTable(other.path, unheard);
+  if (!table) return;
+  AddChannels(*table, TimesColumn(*table), reading);
+  DraftedPreparation beside = PreparationOf(*table);
+  std::vector<ColumnSummary>& columns = reading.preparation.summary.columns;
+  for (ColumnSummary& column : beside.summary.columns)
+    if (reading.preparation.Find(column.name) == nullptr) columns.push_back(std::move(column));
+  reading.preparation.times.bridge_s = std::max(reading.preparation.times.bridge_s, beside.times.bridge_s);
+  if (reading.preparation.why_bridged.empty()) reading.preparation.why_bridged = beside.why_bridged;
+}
+
+/// Most channels of motion have far less of it in the last quarter than in the first, where the vehicle was let go.
+bool ComesToRest(const RecordedTable& table, const FileReading& reading) {
+  constexpr double kFarLess = 0.2;
+  int moving = 0;
+  int resting = 0;
+  for (const OfferedChannel& channel : reading.channels) {
+    if (!(channel.dimension == kLength || channel.dimension == kAcceleration)) continue;
+    const std::size_t column = *table.FindColumn(channel.name);
+    const std::size_t rows = table.rows(column);
+    const auto spread = [&](std::size_t from, std::size_t to) {
+      double sum = 0;
+      double squares = 0;
+      for (std::size_t row = from; row < to; ++row) {
+        const double value = table.Number(row, column).value_or(0);
+        sum += value;
+        squares += value * value;
+      }
+      const auto count = static_cast<double>(std::max<std::size_t>(1, to - from));
+      return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
+    };
+    const double first = spread(0, rows / 4);
+    if (first == 0) continue;
+    ++moving;
+    if (spread(rows - rows / 4, rows) < kFarLess * first) ++resting;
+  }
+  return moving > 0 && 2 * resting > moving;
+}
+
+/// Driven by actuators, or let go.
+void ReadAtRestingPosts(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
+  reading.actuators = MatchChannels(SoughtActuators(vehicle), reading.channels, HasSides(vehicle));
+  for (const ChannelMatch& actuator : reading.actuators)
+    for (const SourceChannel& source : actuator.source.channels)
+      std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == source.name; });
+  reading.is_release = reading.actuators.empty() && ComesToRest(table, reading);
+  if (!reading.actuators.empty() || reading.is_release) reading.kind = FileReading::Kind::kHistory;
+}
+
 void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
   const std::string time = TimesColumn(table);
   if (time.empty()) {
     reading.reason = "no column of times";
     return;
   }
-  for (std::size_t column = 0; column < table.names().size(); ++column) {
-    const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
-    if (table.names()[column] != time && unit && !table.HoldsText(column))
-      reading.channels.push_back({table.names()[column], unit->dimension});
-  }
+  AddChannels(table, time, reading);
+  const std::vector<OtherFile> others = reading.preparation.times.others;
+  reading.preparation = PreparationOf(table);
+  reading.preparation.times.others = others;
+  for (const OtherFile& other : others) AddBeside(other, reading);
   if (vehicle.posts.empty()) {
     const bool is_bench = !BenchChannel(reading, kLength).empty() && !BenchChannel(reading, kForce).empty();
     if (is_bench) reading.kind = FileReading::Kind::kBench;
@@ -121,10 +184,13 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   MatchPosts(vehicle, reading);
   if (reading.posts.size() < vehicle.posts.size()) {
     reading.reason = "no channels found for all posts";
+    reading.is_without_posts = reading.posts.empty();
+    if (reading.is_without_posts) ReadAtRestingPosts(table, vehicle, reading);
     return;
   }
   reading.kind = FileReading::Kind::kHistory;
-  ResponseRequest request{.files = {reading.path}};
+  for (ChannelMatch& post : reading.posts) RemoveDrifts(reading.preparation, post);
+  ResponseRequest request{.files = {reading.path}, .preparation = {.times = reading.preparation.times}};
   for (const ChannelMatch& post : reading.posts)
     for (const SourceChannel& channel : post.source.channels) request.posts.push_back({channel.name, channel.name});
   Diagnostics unheard;
@@ -162,8 +228,10 @@ std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vec
   return std::nullopt;
 }
 
-FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle) {
+FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle,
+                         const std::vector<std::filesystem::path>& beside) {
   FileReading reading{.path = file};
+  for (const std::filesystem::path& other : beside) reading.preparation.times.others.push_back({.path = other});
   Diagnostics found;
   try {
     const std::optional<RecordedTable> table = ReadRecordedTable(file, found);

@@ -8,6 +8,7 @@
 
 #include "analysis/signals/frequency_response.h"
 #include "identify/draft/channel_match.h"
+#include "identify/draft/drafted_preparation.h"
 #include "identify/study_file/channel_source.h"
 #include "vehicles/description/vehicle.h"
 
@@ -33,10 +34,19 @@ struct FileReading {
   /// Without times and posts, in known units.
   std::vector<OfferedChannel> channels = {};
   std::vector<DraftedMotion> motions = {};
+  /// Of what is over time.
+  DraftedPreparation preparation = {};
+  /// Over time, and of a vehicle with posts, but without theirs: perhaps recorded beside another file.
+  bool is_without_posts = false;
+  /// Histories whose posts rest: what drives the vehicle's actuators; or it is let go and comes to rest.
+  std::vector<ChannelMatch> actuators = {};
+  bool is_release = false;
 };
 
 /// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.
-FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle);
+/// `beside`: files that were recorded at the same time, which it is read with.
+FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle,
+                         const std::vector<std::filesystem::path>& beside = {});
 
 /// The first channel of a dimension; empty: there is none.
 std::string BenchChannel(const FileReading& reading, const Dimension& dimension);

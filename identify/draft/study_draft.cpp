@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "analysis/text/number.h"
@@ -22,13 +23,14 @@ namespace fs = std::filesystem;
 using Kind = FileReading::Kind;
 
 bool IsNamedSo(const ChannelMatch& match) {
-  return match.by == ChannelMatch::By::kName && match.source.channels.front().factor == 1;
+  return match.by == ChannelMatch::By::kName && match.source.channels.front() == SourceChannel(match.name);
 }
 
 /// A post's channel that a study finds by its name.
 bool IsPostNamedSo(const ChannelMatch& post) {
   const std::vector<SourceChannel>& channels = post.source.channels;
-  return channels.size() == 1 && (channels.front().name == post.name || channels.front().name == "post_" + post.name);
+  return channels.size() == 1 && !channels.front().has_trend &&
+         (channels.front().name == post.name || channels.front().name == "post_" + post.name);
 }
 
 bool AreSame(const std::vector<ChannelMatch>& one, const std::vector<ChannelMatch>& other) {
@@ -58,7 +60,10 @@ std::string ChannelLines(const std::vector<ChannelMatch>& matches, const std::st
     has_named = has_named || IsNamedSo(match);
     if (IsNamedSo(match) && match.IsSure()) continue;
     const std::string doubt = DoubtOf(match);
-    lines += indent + match.name + ": " + SourceText(match.source) + (doubt.empty() ? "" : "  # " + doubt) + '\n';
+    const bool drifts = std::any_of(match.source.channels.begin(), match.source.channels.end(),
+                                    [](const SourceChannel& channel) { return channel.has_trend; });
+    const std::string why = doubt.empty() && drifts ? "drifts more than it moves" : doubt;
+    lines += indent + match.name + ": " + SourceText(match.source) + (why.empty() ? "" : "  # " + why) + '\n';
   }
   return lines.empty() || !has_named ? lines : lines + indent + "others: by name\n";
 }
@@ -74,6 +79,7 @@ class Drafter {
   Drafter(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study)
       : vehicle_(vehicle), study_(study) {
     for (const fs::path& file : files) readings_.push_back(ReadForDraft(file, vehicle));
+    JoinFiles();
   }
 
   StudyDraft Draft() {
@@ -96,6 +102,45 @@ class Drafter {
   }
 
  private:
+  /// Files without posts belong to the one recording with posts over the same time.
+  void JoinFiles() {
+    std::map<std::size_t, std::vector<fs::path>> beside;
+    for (FileReading& lone : readings_) {
+      if (!lone.is_without_posts) continue;
+      std::vector<std::size_t> partners;
+      for (std::size_t i = 0; i < readings_.size(); ++i)
+        if (IsOverPosts(readings_[i]) && AreOfOneTime(readings_[i], lone)) partners.push_back(i);
+      if (partners.size() != 1) continue;
+      beside[partners.front()].push_back(lone.path);
+      lone.kind = Kind::kUnread;
+      lone.reason = "recorded beside " + readings_[partners.front()].path.filename().string();
+    }
+    for (const auto& [place, others] : beside) {
+      readings_[place] = ReadForDraft(readings_[place].path, vehicle_, others);
+      readings_[place].preparation.why_beside = "recorded over the same time; look at: whether on one clock";
+    }
+  }
+
+  static bool IsOverPosts(const FileReading& reading) {
+    return (reading.kind == Kind::kHistory || reading.kind == Kind::kDwells) && !reading.is_without_posts;
+  }
+
+  /// What both have is nearly all of either.
+  static bool AreOfOneTime(const FileReading& one, const FileReading& other) {
+    const std::optional<TimeSummary>& a = one.preparation.summary.time;
+    const std::optional<TimeSummary>& b = other.preparation.summary.time;
+    if (!a || !b) return false;
+    constexpr double kNearlyAll = 0.9;
+    const double common = std::min(a->end_s, b->end_s) - std::max(a->start_s, b->start_s);
+    return common > kNearlyAll * std::max(a->end_s - a->start_s, b->end_s - b->start_s);
+  }
+
+  std::string TimesOf(const FileReading& reading) const {
+    std::vector<std::string> others;
+    for (const OtherFile& other : reading.preparation.times.others) others.push_back(Relative(other.path));
+    return TimesLines(reading.preparation, others);
+  }
+
   std::string Relative(const fs::path& file) const {
     const fs::path folder = fs::weakly_canonical(fs::absolute(study_)).parent_path();
     const fs::path target = fs::weakly_canonical(fs::absolute(file));
@@ -117,6 +162,7 @@ class Drafter {
       drafted.matches = MatchChannels(
           sought, reading.channels, HasSides(vehicle_),
           [&](const std::string& name, const std::string& channel) { return evidence.Of(name, channel); });
+      for (ChannelMatch& match : drafted.matches) RemoveDrifts(reading.preparation, match);
       for (const SoughtChannel& one : sought)
         if (std::none_of(drafted.matches.begin(), drafted.matches.end(),
                          [&](const ChannelMatch& match) { return match.name == one.name; }))
@@ -168,7 +214,7 @@ class Drafter {
     if (pattern) entry += *pattern + "\n";
     else if (shape.empty()) entry += "heave  # look at: nothing says how the posts moved\n";
     else entry += Shares(shape) + "\n";
-    return entry + PostLines(reading, "    post_channels: ", false);
+    return entry + TimesOf(reading) + PostLines(reading, "    post_channels: ", false);
   }
 
   std::string Shares(const std::vector<double>& shape) const {
@@ -180,11 +226,20 @@ class Drafter {
 
   /// Where names do not say which channels the posts' are. `recordings` take one channel of each.
   static std::string PostLines(const FileReading& reading, const std::string& key, bool takes_several) {
+    if (reading.is_release)
+      return "    release: estimated  # look at: no post moves, and the vehicle comes to rest; set `start` to the "
+             "release\n";
+    if (!reading.actuators.empty()) {
+      std::string list;
+      for (const ChannelMatch& actuator : reading.actuators)
+        list += (list.empty() ? "" : ", ") + actuator.name + ": " + SourceText(actuator.source);
+      return "    actuators: {" + list + "}  # look at: tension is positive; posts rest\n";
+    }
     if (std::all_of(reading.posts.begin(), reading.posts.end(), IsPostNamedSo)) return "";
     std::string text;
     for (const ChannelMatch& post : reading.posts)
       text += (text.empty() ? "" : ", ") + post.name + ": " +
-              (takes_several ? SourceText(post.source) : YamlText(post.source.channels.front().name));
+              SourceText(takes_several ? post.source : ChannelSource{.channels = {post.source.channels.front()}});
     return key + "{" + text + "}\n";
   }
 
@@ -194,8 +249,8 @@ class Drafter {
       if (readings_[i].kind != Kind::kHistory) continue;
       drafted_[i].use = "histories";
       list += "  - file: " + Relative(readings_[i].path) + "\n" +
-              (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") +
-              PostLines(readings_[i], "    posts: ", true);
+              (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") + TimesOf(readings_[i]) +
+              PostLines(readings_[i], "    posts: ", true) + NoiseLines(readings_[i].preparation, drafted_[i].matches);
       const bool is_shared = shared_ && AreSame(drafted_[i].matches, drafted_[*shared_].matches);
       const std::string lines = ChannelLines(drafted_[i].matches, "      ");
       if (is_shared || (lines.empty() && !has_channels_)) continue;

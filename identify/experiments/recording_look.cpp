@@ -167,14 +167,23 @@ std::string OriginText(const OverTime& content) {
   return content.format + (content.description.empty() ? "" : ": " + content.description) + '\n';
 }
 
+/// As a study takes it, where g is a gram.
+std::string StatedNoise(double sd, const std::string& recorded_unit) {
+  const std::string name = WithoutBrackets(recorded_unit);
+  const std::optional<Unit> recorded = ParseRecordedUnit(recorded_unit);
+  const std::optional<Unit> stated = ParseUnit(name);
+  if (stated && stated->dimension == recorded->dimension && stated->si == recorded->si)
+    return ShortNumber(sd, 3) + " " + name;
+  return ShortNumber(sd * recorded->si, 3) + " " + SiUnit(recorded->dimension);
+}
+
 /// When it rests, and the noise there as a study states it.
 std::string RestText(const RecordingSummary& summary) {
   if (!summary.rest) return "no rest of half a second at begin or end, so the noise of sensors is not known\n";
   std::string noise;
   for (const ColumnSummary& column : summary.columns)
     if (column.noise && column.noise->sd > 0 && column.unit_known)
-      noise += (noise.empty() ? "" : ", ") + column.name + ": " + ShortNumber(column.noise->sd, 3) + " " +
-               WithoutBrackets(column.unit);
+      noise += (noise.empty() ? "" : ", ") + column.name + ": " + StatedNoise(column.noise->sd, column.unit);
   return "at rest from " + Rounded(summary.rest->from_s, 3) + " to " + Rounded(summary.rest->to_s, 3) +
          " s after the first sample" +
          (noise.empty() ? "\n" : "; in a study, by the names of sensors:\n  noise: {" + noise + "}\n");

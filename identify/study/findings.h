@@ -64,9 +64,6 @@ inline const Finding kRigClock{"rig-clock", Severity::kWarning,
 inline const Finding kRigLoads{"rig-loads", Severity::kWarning,
                                "loads at rest contradict forces and accelerations: {}{} ({})",
                                "check the tare and the scale of the load cells", Weight::kGrave};
-inline const Finding kRigAmplitude{"rig-amplitude", Severity::kWarning,
-                                   "posts of recording '{}' move by {} mm at the most, which no rig for vehicles does",
-                                   "give 'post_amplitude_m' in m, from rest to peak", Weight::kGrave};
 inline const Finding kRigForeign{"rig-foreign", Severity::kWarning, "the other channels agree without one: {}{} ({})",
                                  "check which channel it is, and whether it is dead or clipped", Weight::kGrave};
 inline const Finding kRigContradiction{

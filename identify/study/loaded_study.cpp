@@ -160,7 +160,8 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
 
 /// Of what an audit takes as stated: the motion of the posts, and the masses on load cells.
 bool ContradictsAnAudit(const Diagnostic& item) {
-  return item.id == kPostsMoveOtherwise.id() || item.id == kWheelpanForgotten.id() || item.id == kWheelpanTakenOut.id();
+  return item.id == kPostsMoveOtherwise.id() || item.id == kWheelpanForgotten.id() ||
+         item.id == kWheelpanTakenOut.id() || item.id == kRigAmplitude.id() || item.id == kSineThousandfold.id();
 }
 
 }  // namespace

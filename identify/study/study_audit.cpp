@@ -152,23 +152,6 @@ std::string SeenText(const Resolution& resolution, double unit, int digits) {
   return std::isfinite(resolution.sd) ? ShortNumber(unit * resolution.Seen(), digits) : "-";
 }
 
-/// Responses are relative to posts, so that no other channel speaks of their amplitudes.
-void ReportAmplitudes(const FourPost& sines, Diagnostics& diagnostics) {
-  // Of any rig for vehicles: least of what a servo-hydraulic post resolves, most of its stroke.
-  constexpr double kLeast_m = 0.1e-3;
-  constexpr double kMost_m = 0.25;
-  for (const MeasuredRun& run : sines.runs) {
-    const std::vector<double>& amplitudes = run.excitation.amplitude_m;
-    const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
-    if (most >= kLeast_m && most <= kMost_m) continue;
-    const auto stated = std::find_if(sines.plan.recordings.begin(), sines.plan.recordings.end(),
-                                     [&](const StudyRecording& one) { return one.name == run.name; });
-    const int line = stated == sines.plan.recordings.end() ? 0 : stated->line;
-    diagnostics.Report(kRigAmplitude, {.file = sines.plan.file, .line = line},
-                       {run.name, ShortNumber(kMilli * most, 3)});
-  }
-}
-
 /// Whether the study states a calibration that allows for it: the fit then knows.
 bool IsStated(const LoadedStudy& study, const Suspicion& suspicion) {
   // As far as a calibration may be off without a warning.
@@ -206,7 +189,6 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
       diagnostics.ReportAsWarning(kind, place, words);
     else diagnostics.Report(kind, place, words);
   }
-  if (const FourPost* const sines = study.study.experiments.Find<FourPost>()) ReportAmplitudes(*sines, diagnostics);
   if (audit.misfit > kContradiction)
     diagnostics.Report(kRigContradiction, {.file = study.study.file.string()}, {ShortNumber(audit.misfit, 2)});
 }

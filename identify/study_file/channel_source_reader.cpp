@@ -13,7 +13,6 @@ std::vector<std::string_view> KeysOf(ChannelKind kind) {
   switch (kind) {
     case ChannelKind::kHistory:
       return {"channel", "sign", "scale", "unit", "delay", "offset", "trend", "high_pass", "integrate"};
-    case ChannelKind::kSteppedSine: return {"channel", "sign", "scale", "delay"};
     case ChannelKind::kLoad: break;
   }
   return {"channel", "sign", "scale"};

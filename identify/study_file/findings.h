@@ -31,6 +31,11 @@ inline const Finding kKeyUnknown{"key-unknown", Severity::kError, "unknown key '
                                  "correct it, or remove it"};
 inline const Finding kKeyMissing{"key-missing", Severity::kError, "{} needs the key '{}'", "add it"};
 
+// Files beside a recording.
+
+inline const Finding kHistoryWith{"history-with", Severity::kError, "{} must be a list of files",
+                                  "write [b.csv], or [{file: b.csv, delay: 12 ms}]"};
+
 // Values.
 
 inline const Finding kKeyNotText{"key-not-text", Severity::kError, "{} must be text",

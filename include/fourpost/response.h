@@ -25,7 +25,7 @@ struct SteppedSine {
   /// Amplitude of the reference post [m], positive: one per frequency, or one for all. Of a pattern that is the front
   /// left post, or the front one of a planar car; of given shares a post with share 1.
   std::vector<double> amplitude_m;
-  /// "heave", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
+  /// "heave" or "bounce", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
   std::string posts = "heave";
   /// Of posts without a stroke in the vehicle file, from end to end [m].
   double stroke_m = 0.15;

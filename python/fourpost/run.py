@@ -4,6 +4,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 import shutil
 import tempfile
 import weakref
@@ -13,7 +14,7 @@ from typing import Any, Callable, Mapping
 import pandas as pd
 
 from . import _arrays, _core, _html
-from .errors import Finding, refuse
+from .errors import Error, Finding, refuse
 from .study import Study
 from .vehicle import Path, Vehicle, load
 
@@ -154,8 +155,8 @@ class Run:
         """How well the fitted vehicle predicts a recording.
 
         recording: a file, or a frame over time [s], with the channels that the study names.
-            Of a study of arrays: post_FL, ... and the sensors.
-        units: of each column of a frame.
+            Of a study of arrays: FL or post_FL, ... and the sensors.
+        units: of each column of a frame; posts of a study of arrays are in m unless stated.
         posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.
         output: a folder for the curves.
         """
@@ -163,9 +164,15 @@ class Run:
             file = recording
             if isinstance(recording, pd.DataFrame):
                 file = os.path.join(scratch, "recording.csv")
-                _write_recording(recording, units or {}, file)
-            text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
-                                           os.fspath(output or ""))
+                recording, units = _with_posts(recording, units or {}, self.folder)
+                _write_recording(recording, units, file)
+            try:
+                text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
+                                               os.fspath(output or ""))
+            except Error as error:
+                if isinstance(recording, pd.DataFrame):
+                    raise _about_frame(error, recording, units or {}, os.fspath(file)) from None
+                raise
         return Prediction(json.loads(text), warnings)
 
     def __repr__(self) -> str:
@@ -176,6 +183,27 @@ class Run:
                  "explains the data" if self.explains_data else "does not explain the data", str(self.report)]
         return (_html.heading(str(self.folder), facts) + _html.frame(self.parameters.drop(columns="at_bound")) +
                 _html.findings(self.warnings))
+
+
+def _with_posts(frame: pd.DataFrame, units: Mapping[str, str], folder: Path) -> tuple[pd.DataFrame, Mapping[str, str]]:
+    """Posts by their own names, FL, where the run's study of arrays has them as post_FL; these are in m."""
+    study = pathlib.Path(folder, "study.yaml")
+    known = set(re.findall(r"\bpost_[\w.-]+", study.read_text())) if study.exists() else set()
+    names = {name: f"post_{name}" for name in frame if f"post_{name}" in known and f"post_{name}" not in frame}
+    units = {names.get(name, name): unit for name, unit in units.items()}
+    posts = {name: "m" for name in [*frame, *names.values()] if name in known}
+    return frame.rename(columns=names), {**posts, **units}
+
+
+def _about_frame(error: Error, frame: pd.DataFrame, units: Mapping[str, str], file: str) -> Error:
+    """The error of the file that a frame was written to, as one of the frame: with its columns in place of lines."""
+    findings = [finding._replace(file="the frame", line=0) if finding.file == file else finding
+                for finding in error.findings]
+    columns = ", ".join(f"{name} [{units.get(str(name), 'no unit')}]" for name in frame)
+    hint = (f"the frame has the columns {columns}; a run of arrays expects post_NAME of each post and the names of the "
+            "sensors, a run of a study the channels that it names, each with its unit in `units`")
+    message = "\n".join(str(finding) for finding in findings) or str(error).replace(file, "the frame")
+    return type(error)(f"{message}\n{hint}", findings)
 
 
 def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -> None:

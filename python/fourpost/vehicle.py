@@ -75,7 +75,7 @@ class Vehicle:
                  **values: Quantity) -> Response:
         """The steady response to a stepped sine on the posts.
 
-        mode: "heave", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
+        mode: "heave" or "bounce", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
         frequency: F positive numbers [Hz] in the order of the sweep; default: 40 from 0.5 to 30 Hz.
         amplitude: of the reference post [m], F or one for all; of a pattern that is the front left post, or the front
             one of a planar car. Default: at most 12 mm, 0.15 m/s, 6 m/s^2. Both as `fourpost response` has them.

@@ -98,6 +98,63 @@ class Draft(ProgramTest):
         self.assertIn("use: validation", (self.folder / "both/study.yaml").read_text())
 
 
+    def sweep_of_two_recorders(self, lost, jitter_s, drift):
+        """A sweep after two seconds of rest: one recorder loses samples, jitters and drifts, the other has the strut."""
+        heights = [0.0] * (2 * RATE)
+        for k in range(20 * RATE):
+            t = k / RATE
+            heights.append(min(1, t) * 8e-3 / (1 + t / 5) * math.sin(2 * math.pi * (0.5 * t + 0.3 * t * t)))
+        self.write("heights.csv", "time,post\ns,m\n" + "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(heights)))
+        self.simulate("sweep.csv")
+        rows = list(csv.reader((self.folder / "sweep.csv").read_text().splitlines()))
+        column = {name: [float(row[k]) for row in rows[2:]] for k, name in enumerate(rows[0])}
+        jitter = [jitter_s * math.sin(1.7 * k * k) for k in range(len(rows) - 2)]
+        lines = ["Zeit;Actuator pos;Chassis Acc;Hub Acc;Load cell", "s;mm;g;g;kN"]
+        for k in range(len(rows) - 2):
+            if k not in lost:
+                lines.append(f"{k / RATE + jitter[k]:.6f};{1e3 * column['post_post'][k] + 12:.6g};"
+                             f"{column['a_body'][k] / 9.80665 + drift * k / RATE:.8g};"
+                             f"{-column['a_wheel'][k] / 9.80665 + 0.02:.8g};{1e-3 * column['F_tyre'][k]:.8g}")
+        (self.folder / "rig").mkdir(exist_ok=True)
+        self.write("rig/main.csv", "\n".join(lines) + "\n")
+        self.write("rig/pots.csv", "time,Damper Pot\ns,mm\n" + "".join(
+            f"{k / RATE:.4f},{1e3 * s - 4:.7g}\n" for k, s in enumerate(column["s_strut"])))
+
+    def test_writes_what_a_recording_needs_so_that_it_fits_without_edits(self):
+        both = ("    time: Zeit\n", "    with: [../rig/pots.csv]  # recorded over the same time",
+                "not used: pots.csv: recorded beside main.csv")
+        for lost, jitter_s, drift, lines in (
+                ((900, 901, 1700), 0, 0.05, ("    bridge: ", "# 2 gaps, the longest ",
+                                             "a_body: {channel: Chassis Acc, trend: remove}")),
+                ((), 0.0001, 0, ("    resample: ", " Hz  # steps differ by ",
+                                 "    noise:  # standard deviations at rest", "\n      a_body: "))):
+            with self.subTest(jitter_s=jitter_s):
+                name = f"{len(lost)}"
+                self.sweep_of_two_recorders(lost, jitter_s, drift)
+                self.run_program("init", name, "--from", "rig", "--vehicle", "car.urdf")
+                text = (self.folder / name / "study.yaml").read_text()
+                for line in both + lines:
+                    self.assertIn(line, text)
+                self.run_program("fit", f"{name}/study.yaml", "-o", f"run{name}", "--no-suggest")
+                for parameter in json.loads((self.folder / f"run{name}/result.json").read_text())["parameters"]:
+                    # The car is the one that was simulated, with noise of 0.1 %.
+                    self.assertLess(abs(parameter["value"] / parameter["start"] - 1), 0.05, parameter["name"])
+
+    def test_takes_what_is_let_go_and_what_is_driven(self):
+        release = "t,z_body,a_body\ns,mm,m/s^2\n" + "".join(
+            f"{k / RATE:.4f},{50 * math.exp(-2 * k / RATE) * math.cos(8 * k / RATE):.5f},"
+            f"{-2 * math.exp(-2 * k / RATE) * math.cos(8 * k / RATE + 0.3):.5f}\n" for k in range(4 * RATE))
+        self.write("drop.csv", release)
+        self.run_program("init", "drop", "--from", "drop.csv", "--vehicle", "car.urdf")
+        self.assertIn("    release: estimated  # look at", (self.folder / "drop/study.yaml").read_text())
+        text = (self.folder / "car.urdf").read_text()
+        ends = text.split("<fp:damper ")[1].split(">")[0].split("parent=")[1].rstrip("/")
+        self.write("active.urdf", text.replace("<fp:post", f'<fp:actuator name="actuator" parent={ends}/>\n  <fp:post', 1))
+        self.write("active.csv", "t,Actuator Force,a_body\ns,lbf,g\n" + "".join(
+            f"{k / RATE:.4f},{60 * math.sin(0.02 * k):.5f},{0.1 * math.sin(0.02 * k + 0.2):.5f}\n" for k in range(4 * RATE)))
+        self.run_program("init", "active", "--from", "active.csv", "--vehicle", "active.urdf")
+        self.assertIn("    actuators: {actuator: Actuator Force}  # look at", (self.folder / "active/study.yaml").read_text())
+
     def test_takes_a_damper_from_its_bench(self):
         damper = SOURCE / "studies/damper"
         rows = (damper / "sine_5Hz_3mm.csv").read_text().splitlines()

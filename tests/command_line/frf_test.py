@@ -89,6 +89,13 @@ class Frf(ProgramTest):
             self.assertAlmostEqual(hv * hv, h1 * h2, 9 * (h1 * h2 < 1) or 6)
             self.assertLess(coherence, 1)
 
+    def test_bounce_is_heave(self):
+        heave = self.respond("file: dwells.csv, posts: heave")
+        self.assertEqual(self.respond("file: dwells.csv, posts: bounce"), heave)
+        one, other = (self.run_program("response", "car.urdf", "--mode", mode).stdout.replace("bounce", "heave")
+                      for mode in ("heave", "bounce"))
+        self.assertEqual(one, other)
+
     def test_of_a_study_names_what_contradicts_it(self):
         for recording, finding in (("file: dwells.csv, posts: {post: 0.5, x: 1}", "sine-post-unknown"),
                                    ("file: dwells.csv, posts: heave, repeats: 3", "sine-repeats-counted"),
@@ -100,6 +107,77 @@ class Frf(ProgramTest):
             with self.subTest(recording):
                 self.write("study.yaml", STUDY.format(recording=recording))
                 self.assert_finding(self.run_program("response", "study.yaml", code=3).stderr, finding)
+
+    def test_of_a_study_prepares_channels_as_histories_do(self):
+        rows = [row.split(",") for row in (self.folder / "dwells.csv").read_text().splitlines()]
+        column = {name: [float(row[k]) for row in rows[2:]] for k, name in enumerate(rows[0])}
+        times = [k / RATE for k in range(len(rows) - 2)]
+        # The post is recorded 4 samples late, in mm without a unit, with an offset; the acceleration drifts; the strut
+        # is in another file, whose clock is 0.12 s ahead.
+        late = [column["post_post"][max(0, k - 4)] for k in range(len(times))]
+        self.write("main.csv", "T,stroke,acc\ns,,g\n" + "".join(
+            f"{t:.4f},{1e3 * z + 7:.8g},{a / 9.80665 + 0.3 + 0.02 * t:.9g}\n"
+            for t, z, a in zip(times, late, column["a_body"])))
+        self.write("beside.csv", "time,pot\ns,mm\n" + "".join(
+            f"{t + 0.12:.4f},{1e3 * s:.8g}\n" for t, s in zip(times, column["s_strut"])))
+        recording = ("file: main.csv, posts: heave, time: T, start: 1 s, end: 17.9 s, with: [{file: beside.csv, delay: 120 ms}], "
+                     "post_channels: {post: {channel: stroke, unit: mm, offset: 7 mm, delay: 20 ms}}")
+        study = STUDY.format(recording=recording).replace(
+            "{a_body: a_body, s_strut: s_strut}", "{a_body: {channel: acc, trend: remove, high_pass: 0.3 Hz}, s_strut: pot}")
+        self.write("study.yaml", study)
+        answer = json.loads(self.run_program("response", "study.yaml", "--engine", "reduced", "--json").stdout)
+        for channel in answer["channels"]:
+            # As of the file itself; a delay is taken back by a spline, which loses little at 25 samples a period.
+            self.assertLess(channel["rms_dB"], 0.05, channel)
+            self.assertLess(channel["rms_deg"], 0.3, channel)
+        for wrong, finding in ((study.replace("end: 17.9 s", "end: 0.5 s"), "sine-window-empty"),
+                               (study.replace("start: 1 s, end: 17.9 s", "start: 90 s"), "response-window-empty"),
+                               (study.replace("with: [{file: beside.csv, delay: 120 ms}]", "with: 3"), "history-with")):
+            self.write("study.yaml", wrong)
+            self.assert_finding(self.run_program("response", "study.yaml", code=3).stderr, finding)
+        self.run_program("frf", "dwells.csv", "-o", "frf")
+        table = STUDY.format(recording="file: frf/heave.csv, posts: heave")
+        for wrong, finding in ((table.replace("posts: heave", "posts: heave, start: 1 s"), "sine-keys-of-history"),
+                               (table.replace("a_body: a_body", "a_body: {channel: a_body, trend: remove}"),
+                                "sine-channel-of-history")):
+            self.write("study.yaml", wrong)
+            self.assert_finding(self.run_program("response", "study.yaml", code=3).stderr, finding)
+
+    def test_of_a_study_in_another_unit_is_an_error_with_the_line_to_write(self):
+        text = (self.folder / "dwells.csv").read_text()
+        names, units, *rows = [row.split(",") for row in text.splitlines()]
+
+        def scaled(channel):
+            """The file with one channel in mm, called m."""
+            k = names.index(channel)
+            return "\n".join(",".join(row) for row in [names, units] + [
+                row[:k] + [f"{1e3 * float(row[k]):.9g}"] + row[k + 1:] for row in rows]) + "\n"
+
+        recording = STUDY.format(recording="file: wrong.csv, posts: heave, post_channels: {post: post_post}") + "free: [k]\n"
+        history = "vehicle: car.urdf\nhistories:\n  - file: wrong.csv\nchannels: {a_body: a_body, s_strut: s_strut}\nfree: [k]\n"
+        for channel, study, finding, line in (
+                ("post_post", recording, "rig-amplitude", "post_channels: {post: {channel: post_post, unit: mm}}"),
+                ("s_strut", recording, "sine-thousandfold", "s_strut: {channel: s_strut, scale: 0.001}"),
+                ("post_post", history, "posts-unit-mistaken", "posts: {post: {channel: post_post, unit: mm}}"),
+                ("s_strut", history, "channel-thousandfold", "s_strut: {channel: s_strut, unit: mm}")):
+            with self.subTest(finding):
+                self.write("wrong.csv", scaled(channel))
+                self.write("study.yaml", study)
+                refused = self.run_program("fit", "study.yaml", "-o", "run", code=3).stderr
+                self.assert_finding(refused, finding)
+                self.assertIn(f"write '{line}'", refused)
+                # One cause, one error beside the sentence that ends the fit.
+                self.assertEqual(refused.count(": error: "), 2, refused)
+                key = line.split(":")[0]
+                corrected = study.replace("    post_channels: {post: post_post}", "")
+                corrected = corrected.replace("post_channels: {post: post_post}", line) if key == "post_channels" else (
+                    corrected.replace("s_strut: s_strut", line) if key == "s_strut" else
+                    corrected.replace("wrong.csv\n", f"wrong.csv\n    {line}\n"))
+                self.write("study.yaml", corrected)
+                self.run_program("fit", "study.yaml", "-o", "good", "--no-suggest")
+        self.write("study.yaml", history)
+        accepted = self.run_program("fit", "study.yaml", "-o", "run", "--accept-implausible").stderr
+        self.assert_finding(accepted, "channel-thousandfold")
 
     def test_refuses_what_it_cannot_use(self):
         self.assert_finding(self.run_program("frf", "dwells.csv", "--post", "FL", code=2).stderr, "post-channel-malformed")

@@ -26,6 +26,17 @@ class Kinematics(ProgramTest):
             xml.etree.ElementTree.parse(self.folder / "kc" / name)
         self.assertEqual((self.folder / "kc/compliance.csv").read_text().count("\n"), 1)
 
+    def test_marks_rows_beyond_stops(self):
+        self.run_program("kinematics", ROADSTER, "-o", "kc")
+        axle = json.loads((self.folder / "kc/result.json").read_text())["axles"][0]
+        heave = axle["travels"][0]
+        # By themselves travels end where the last stop begins.
+        self.assertEqual(heave["asked_m"][1], axle["stops_m"][1])
+        self.assertNotIn("*", self.run_program("kinematics", ROADSTER).stdout.split("roll, mm")[0])
+        text = self.run_program("kinematics", ROADSTER, "--travel", "-40mm:150mm").stdout
+        self.assertIn(f"* a wheel is beyond its last stop, which begins at", text)
+        self.assertIn("150.0 *", text)
+
     def test_of_bushes(self):
         text = self.run_program("kinematics", SOURCE / "urdf/landrover110.urdf", "--travel", "10mm", "-o", "kc").stdout
         self.assertIn("aligning", text)

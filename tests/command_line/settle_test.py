@@ -35,6 +35,14 @@ class Settle(ProgramTest):
         for corner, tyre in zip(checked["corners"], pose["tyres"]):
             self.assertAlmostEqual(corner["load_N"], tyre["force_N"], places=4)
 
+    def test_headline_has_the_turn_of_the_body(self):
+        # Shorter coils in front only: the nose goes down.
+        headline = self.run_program("settle", self.lowered()).stdout.splitlines()[0]
+        self.assertRegex(headline, r": settles by up to [0-9.]+ mm and [0-9.]+ deg; 'body' rolls [-0-9.]+ deg and pitches [0-9.]+ deg$")
+        body = next(link for link in self.pose(self.lowered())["links"] if link["name"] == "body")
+        self.assertGreater(body["turn_rad"][1], 0.005)
+        self.assertIn(f"pitches {180 / 3.141592653589793 * body['turn_rad'][1]:.3f} deg", headline)
+
     def test_keeps_free_lengths_and_warns_of_bounds(self):
         run = self.run_program("settle", self.lowered(), "-o", "rest.urdf")
         self.assert_finding(run.stderr, "settled-at-one-value", "rest.urdf")

@@ -58,6 +58,15 @@ def test_a_frame_is_predicted_as_its_file(car, tmp_path):
     prediction = run.predict(frame, units={"a_body": "m/s^2", "F_tyre": "N", post: "m"})
     # Integrated to 1e-3, whose square is the mean square error.
     assert prediction.channels.query("name == 'a_body'")["nmse_percent"].item() < 0.01
+    # Posts by their own names, in m.
+    own = frame.rename(columns={post: car.posts[0]})
+    assert run.predict(own, units={"a_body": "m/s^2", "F_tyre": "N"}).result["channels"] == prediction.result["channels"]
+    with pytest.raises(fp.InputError) as refused:
+        run.predict(frame.rename(columns={post: "stroke"}), units={"a_body": "m/s^2", "F_tyre": "N"})
+    text = str(refused.value)
+    assert "recording.csv" not in text
+    assert "the frame has the columns a_body [m/s^2], F_tyre [N], stroke [no unit]" in text
+    assert "post_NAME of each post" in text
 
 
 def test_a_choice_is_that_of_the_program(run, tmp_path):

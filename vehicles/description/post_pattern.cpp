@@ -75,7 +75,10 @@ std::vector<double> Warp(const Vehicle& vehicle) {
 
 }  // namespace
 
+std::string_view PatternName(std::string_view name) { return name == "bounce" ? kPostPatterns.front() : name; }
+
 std::vector<double> PostPattern(const Vehicle& vehicle, std::string_view name) {
+  name = PatternName(name);
   if (name == "heave") return std::vector<double>(vehicle.posts.size(), 1.0);
   if (name == "pitch") return Sides(vehicle, name, kForward);
   if (name == "roll") return Sides(vehicle, name, kLeft);

@@ -65,7 +65,9 @@ class AxleOnRig {
       if (IsMoved(strut, kinematics.travels)) kinematics.struts.push_back(strut);
     struts_ = kinematics.struts;
     if (kinematics.travels.empty()) return kinematics;
-    const TravelRange filled = Filled(range, kinematics.travels.front());
+    FindStops(kinematics.travels.front(), kinematics);
+    const TravelRange filled{range.lower.value_or(kinematics.stop_lower.value_or(-kUsualTravel)),
+                             range.upper.value_or(kinematics.stop_upper.value_or(kUsualTravel)), range.step};
     for (AxleTravel& travel : kinematics.travels) Travel(filled, travel);
     kinematics.compliance = Compliance();
     return kinematics;
@@ -109,7 +111,7 @@ class AxleOnRig {
   }
 
   /// Up to where the last stop of a side begins.
-  TravelRange Filled(const TravelRange& range, const AxleTravel& heave) {
+  void FindStops(const AxleTravel& heave, AxleKinematics& kinematics) {
     const fourpost::Kinematics pose = rig_.At(design_);
     const std::optional<Eigen::VectorXd> motion = rig_.Tangent(design_, RiseOf(heave, 1));
     double ends[2] = {0, 0};
@@ -123,8 +125,8 @@ class AxleOnRig {
         end = std::max(end, knee.at.At(parameters_) / std::abs(ratio));
       }
     }
-    for (double& end : ends) end = end > 0 ? range.step * std::ceil(end / range.step - kUnmoved) : kUsualTravel;
-    return {range.lower.value_or(-ends[0]), range.upper.value_or(ends[1]), range.step};
+    if (ends[0] > 0) kinematics.stop_lower = -ends[0];
+    if (ends[1] > 0) kinematics.stop_upper = ends[1];
   }
 
   void Travel(const TravelRange& range, AxleTravel& travel) {
@@ -274,6 +276,13 @@ class AxleOnRig {
 const AxleStation& AxleTravel::Design() const {
   return *std::find_if(stations.begin(), stations.end(),
                        [](const AxleStation& station) { return station.travel == 0; });
+}
+
+bool AxleKinematics::IsBeyondStops(const AxleStation& station) const {
+  constexpr double kThere_m = 1e-9;
+  return std::any_of(station.wheels.begin(), station.wheels.end(), [&](const WheelStation& wheel) {
+    return (stop_lower && wheel.rise < *stop_lower - kThere_m) || (stop_upper && wheel.rise > *stop_upper + kThere_m);
+  });
 }
 
 const char* KindName(AxleStrut::Kind kind) {

@@ -106,10 +106,16 @@ struct AxleKinematics {
   std::vector<AxleTravel> travels;
   /// In the design pose; empty for a rigid linkage.
   std::vector<AxleCompliance> compliance;
+  /// Travels [m] at which the last stop of a side begins, by its motion ratio in the design pose; empty without one.
+  std::optional<double> stop_lower = {};
+  std::optional<double> stop_upper = {};
+
+  /// Whether a wheel has gone beyond the last stop of a side, into it.
+  bool IsBeyondStops(const AxleStation& station) const;
 };
 
-/// Travels [m]; a side without a number reaches to where the axle's last stop begins, by its motion ratio in the design
-/// pose, rounded up to a step; kUsualTravel without a stop.
+/// Travels [m]; a side without a number reaches to where the axle's last stop begins, see AxleKinematics; kUsualTravel
+/// without a stop.
 struct TravelRange {
   std::optional<double> lower;
   std::optional<double> upper;

@@ -305,6 +305,14 @@ double SettledPose::Shift() const {
   return shift;
 }
 
+double SettledPose::Turn() const {
+  double turn = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    turn =
+        std::max(turn, Eigen::AngleAxisd(Eigen::Matrix3d(rest[i].linear() * design[i].linear().transpose())).angle());
+  return turn;
+}
+
 std::optional<SettledPose> Settle(const Vehicle& vehicle, std::span<const double> parameters) {
   return Settling(vehicle, parameters).Pose();
 }

@@ -46,6 +46,8 @@ struct SettledPose {
 
   /// Greatest shift of a link's origin [m].
   double Shift() const;
+  /// Greatest turn of a link [rad].
+  double Turn() const;
 };
 
 /// Empty if no pose at rest is found. Throws FaultyInput if the loops cannot be assembled.

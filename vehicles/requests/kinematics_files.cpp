@@ -98,6 +98,7 @@ Json AxleJson(const Suspension& suspension, const AxleKinematics& kinematics) {
   return {{"name", suspension.axles[kinematics.axle].name},
           {"wheels", wheels},
           {"struts", struts},
+          {"stops_m", {OptionalNumber(kinematics.stop_lower), OptionalNumber(kinematics.stop_upper)}},
           {"travels", travels},
           {"compliance", compliance}};
 }

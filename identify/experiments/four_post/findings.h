@@ -39,9 +39,16 @@ inline const Finding kSinePostChannels{"sine-post-channels", Severity::kError,
                                        "write it as {FL: z_fl, FR: z_fr}"};
 inline const Finding kSineKeysOfHistory{
     "sine-keys-of-history", Severity::kError,
-    "'post_channels', 'filter', 'resample' and 'bridge' are for time histories, and recording '{}' is a "
-    "table of responses",
+    "'post_channels', 'filter', 'resample', 'bridge', 'with', 'time', 'start' and 'end' are for time histories, and "
+    "recording '{}' is a table of responses",
     "remove them"};
+inline const Finding kSineChannelOfHistory{
+    "sine-channel-of-history", Severity::kError,
+    "'unit', 'offset', 'trend', 'high_pass' and 'integrate' of '{}' are for time histories, and recording '{}' is a "
+    "table of responses",
+    "remove them, or use 'scale'"};
+inline const Finding kSineWindowEmpty{"sine-window-empty", Severity::kError, "'end' of {} must be later than 'start'",
+                                      "correct one of the two"};
 inline const Finding kSineRepeatsCounted{"sine-repeats-counted", Severity::kError,
                                          "recording '{}' is a time history, of which repeats are counted",
                                          "remove 'repeats'"};
@@ -73,6 +80,13 @@ inline const Finding kMembersOpposed{"members-opposed", Severity::kWarning,
 
 // Plausibility before the fit.
 
+inline const Finding kRigAmplitude{"rig-amplitude", Severity::kError,
+                                   "posts of recording '{}' move by {} mm at the most, which no rig for vehicles does",
+                                   "write '{}'", Weight::kGrave};
+inline const Finding kSineThousandfold{
+    "sine-thousandfold", Severity::kError,
+    "'{}' reads {} times what the vehicle file gives, so its unit is wrong by a factor of 1000",
+    "write '{}' in the study, or correct the unit in the file", Weight::kGrave};
 inline const Finding kPostsMoveOtherwise{
     "posts-move-otherwise", Severity::kError,
     "according to the study, the posts of recording '{}' move as {}, but up to {} Hz, where a car follows its posts, "

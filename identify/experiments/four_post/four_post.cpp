@@ -28,6 +28,7 @@
 #include "identify/experiments/four_post/response_misfit_json.h"
 #include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
+#include "identify/experiments/four_post/unit_of_sines_lint.h"
 #include "identify/experiments/four_post/wheelpan_lint.h"
 #include "identify/fit/fit.h"
 #include "identify/missing_force/missing_force.h"
@@ -144,11 +145,15 @@ std::vector<ExperimentFile> FourPost::Files() const {
   std::vector<ExperimentFile> files;
   for (const StudyRecording& recording : plan.recordings)
     files.push_back({.path = recording.file, .line = recording.line});
+  for (const StudyRecording& recording : plan.recordings)
+    for (const OtherFile& other : recording.preparation.others)
+      files.push_back({.path = other.path, .line = recording.line});
   return files;
 }
 
 void FourPost::CheckFiles(Diagnostics& diagnostics) const {
-  for (const StudyRecording& recording : plan.recordings) ReadStudyRecording(recording, plan.file, {}, {}, diagnostics);
+  for (const StudyRecording& recording : plan.recordings)
+    ReadStudyRecording(recording, plan.file, plan.channels, {}, {}, diagnostics);
 }
 
 void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {
@@ -184,6 +189,10 @@ bool FourPost::MeasuresForce() const {
 void FourPost::Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const {
   const Vehicle& vehicle = subject.vehicle();
   const CondensedModel model = subject.Condensed()->At(vehicle.ParameterValues());
+  // Responses over time go with the amplitude: what is said of them then has this one cause.
+  if (!LintAmplitudes(plan, runs, wrong_posts, diagnostics)) return;
+  const std::vector<MeasuredRun> in_band = RunsInBand();
+  LintSineUnits(plan, vehicle, in_band, ModelledResponses(model, vehicle.sensors, in_band), wrong_posts, diagnostics);
   const std::vector<MeasuredRun> sure = LintRuns({plan, vehicle, model, wrong_posts}, runs, diagnostics);
   ChannelWarnings warnings(plan.file, plan.channels, diagnostics);
   LintWheelpans(vehicle, sure, ModelledResponses(model, vehicle.sensors, sure), warnings);

@@ -134,9 +134,9 @@ class DataLoader {
     run.excitation.shape = Shape(recording);
     // A pattern that these posts cannot make has been reported; the file's own faults are as well.
     const bool has_shape = !run.excitation.shape.empty();
-    const std::optional<FrequencyResponse> measured =
-        ReadStudyRecording(recording, file_, has_shape ? NamesOf(vehicle_.posts) : std::vector<std::string>(),
-                           run.excitation.shape, diagnostics_);
+    const std::optional<FrequencyResponse> measured = ReadStudyRecording(
+        recording, file_, plan_.channels, has_shape ? NamesOf(vehicle_.posts) : std::vector<std::string>(),
+        run.excitation.shape, diagnostics_);
     if (!measured) return;
     run.excitation.frequency_Hz = measured->frequency_Hz;
     run.excitation.amplitude_m = measured->amplitude_m;
@@ -277,7 +277,10 @@ void AddChannelsByName(const Vehicle& vehicle, FourPostPlan& plan) {
     Diagnostics left_to_loading;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording.file, left_to_loading);
     if (!table) continue;
-    const std::vector<std::string> recorded = ChannelNames(*table);
+    std::vector<std::string> recorded = ChannelNames(*table);
+    for (const OtherFile& other : recording.preparation.others)
+      if (const std::optional<RecordedTable> beside = ReadRecordedTable(other.path, left_to_loading))
+        recorded.insert(recorded.end(), beside->names().begin(), beside->names().end());
     std::erase_if(common, [&](const std::string& name) { return !IndexOf(name, recorded); });
   }
   AddByName(common, common, plan.recordings.empty() ? 0 : plan.recordings.front().line, plan.channels);

@@ -30,9 +30,20 @@ struct StudyRecording {
   std::optional<double> amplitude_m = std::nullopt;
   /// Of a time history: channels of the posts' displacements, by name where there are none; and the rig's filter.
   std::vector<PostChannel> post_channels = {};
+  /// What is done to these, post by post.
+  std::vector<SourceChannel> post_sources = {};
   std::optional<AcquisitionFilter> filter = {};
   TimePreparation preparation = {};
+  std::optional<SourceChannel> time = {};
+  std::optional<double> start_s = {};
+  std::optional<double> end_s = {};
   int line = 0;
+
+  /// Whether it states what only time histories have.
+  bool IsOfHistory() const {
+    return !post_channels.empty() || filter || preparation.IsGridded() || !preparation.others.empty() || time ||
+           start_s || end_s;
+  }
 };
 
 /// What was measured for one sensor of the vehicle in one recording; one entry per frequency.

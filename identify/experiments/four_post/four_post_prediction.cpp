@@ -156,6 +156,10 @@ class SinePrediction {
     StudyRecording recording = is_history_ ? FirstWithPosts() : plan.recordings.front();
     recording.file = request_.recording;
     recording.name = request_.recording.stem().string();
+    // The window and the files beside it are those of the other recording.
+    recording.start_s = recording.end_s = {};
+    recording.preparation.others.clear();
+    if (!is_history_) DropPreparation(recording, plan.channels);
     std::vector<std::string> channels;
     if (is_history_) channels = SetMotion(recording);
     else channels = ChannelsIn(request_.recording);
@@ -172,12 +176,27 @@ class SinePrediction {
     return runs.front();
   }
 
+  /// What is stated of time histories does not concern a table of responses.
+  static void DropPreparation(StudyRecording& recording, StudyChannels& channels) {
+    recording.post_channels.clear();
+    recording.post_sources.clear();
+    recording.filter.reset();
+    recording.time.reset();
+    recording.preparation = {};
+    for (auto& [sensor, source] : channels)
+      for (SourceChannel& channel : source.channels) {
+        SourceChannel plain(channel.name);
+        plain.factor = channel.factor;
+        plain.delay_s = channel.delay_s;
+        channel = std::move(plain);
+      }
+  }
+
   /// Whose channels of posts and filter are those of any other; where none states them, posts are known by name.
   const StudyRecording& FirstWithPosts() const {
     const std::vector<StudyRecording>& all = plan_.recordings;
-    const auto found = std::find_if(all.begin(), all.end(), [](const StudyRecording& recording) {
-      return !recording.post_channels.empty() || recording.filter;
-    });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [](const StudyRecording& recording) { return recording.IsOfHistory(); });
     return found == all.end() ? all.front() : *found;
   }
 
@@ -185,7 +204,8 @@ class SinePrediction {
   std::vector<std::string> SetMotion(StudyRecording& recording) const {
     const std::vector<std::string> posts = NamesOf(subject_.vehicle().posts);
     Diagnostics diagnostics;
-    const auto content = ReadHistoryContent(recording, subject_.study_file().string(), posts, diagnostics);
+    const auto content =
+        ReadHistoryContent(recording, subject_.study_file().string(), plan_.channels, posts, diagnostics);
     if (!content) throw FaultyInput(diagnostics);
     if (request_.mode.empty() && content->shapes.size() > 1)
       Refuse(kSineSeveralMotions, {request_.recording.string()}, {std::to_string(content->shapes.size())});

@@ -7,6 +7,7 @@
 #include "identify/experiments/four_post/findings.h"
 #include "identify/study_file/channel_source_reader.h"
 #include "identify/study_file/named_channels.h"
+#include "identify/study_file/preparation_reader.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -25,7 +26,7 @@ class FourPostReader {
     plan_.takes_others_by_name = TakesOthersByName(channels);
     if (channels.IsDefined())
       plan_.channels =
-          ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_, study_.diagnostics());
+          ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kHistory, file_, study_.diagnostics());
     ReadBand(study_);
     plan_.model_error = ReadModelError(study_);
     return std::move(plan_);
@@ -40,9 +41,9 @@ class FourPostReader {
       return;
     }
     for (const YAML::Node& entry : list) {
-      const StrictMap map =
-          Map(entry, "the recording",
-              {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample", "bridge"});
+      const StrictMap map = Map(entry, "the recording",
+                                {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample",
+                                 "bridge", "with", "time", "start", "end"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
@@ -51,14 +52,25 @@ class FourPostReader {
       recording.repeats = static_cast<int>(map.Integer("repeats", 1, 1000).value_or(1));
       recording.amplitude_m = map.Quantity("amplitude", kLength, kSmallestAmplitude_m);
       if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
-      if (map.Has("post_channels")) recording.post_channels = PostChannels(map.Get("post_channels"));
+      if (map.Has("post_channels")) ReadPostChannels(map.Get("post_channels"), recording);
       if (map.Has("filter")) recording.filter = Filter(map.Get("filter"));
-      recording.preparation.rate_Hz = map.Quantity("resample", kFrequency, 1e-6);
-      recording.preparation.bridge_s = map.Quantity("bridge", kTime, 0).value_or(0);
+      ReadTimes(map, recording);
       for (const StudyRecording& other : plan_.recordings)
         if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});
       plan_.recordings.push_back(recording);
     }
+  }
+
+  void ReadTimes(const StrictMap& map, StudyRecording& recording) {
+    const std::string where = "recording '" + recording.name + "'";
+    recording.preparation = ReadTimePreparation(map, where);
+    if (map.Has("time"))
+      recording.time =
+          ReadSourceChannel(map.Get("time"), "'time' of " + where, ChannelKind::kHistory, file_, study_.diagnostics());
+    recording.start_s = map.Quantity("start", kTime, -1e9);
+    recording.end_s = map.Quantity("end", kTime, -1e9);
+    if (recording.start_s && recording.end_s && !(*recording.start_s < *recording.end_s))
+      map.Fault(map.Get("end"), kSineWindowEmpty, {where});
   }
 
   void ReadPosts(const YAML::Node& node, StudyRecording& recording) {
@@ -67,7 +79,7 @@ class FourPostReader {
   }
 
   std::string Pattern(const YAML::Node& node) {
-    const std::string& name = node.Scalar();
+    const std::string name(PatternName(node.Scalar()));
     if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
       Fault(node, kSinePatternUnknown, {name, SuggestLegal(name, kPostPatterns)});
     return name;
@@ -91,17 +103,18 @@ class FourPostReader {
   }
 
   /// Of a mapping from posts to channels of a time history.
-  std::vector<PostChannel> PostChannels(const YAML::Node& node) {
-    std::vector<PostChannel> posts;
+  void ReadPostChannels(const YAML::Node& node, StudyRecording& recording) {
     if (!node.IsMap() || node.size() == 0) {
       Fault(node, kSinePostChannels);
-      return posts;
+      return;
     }
     for (const auto& entry : node) {
-      if (!entry.second.IsScalar()) Fault(node, kSinePostChannels);
-      else posts.push_back({entry.second.as<std::string>(), entry.first.as<std::string>()});
+      const auto post = entry.first.as<std::string>();
+      SourceChannel channel = ReadSourceChannel(entry.second, "'" + post + "' of 'post_channels'",
+                                                ChannelKind::kHistory, file_, study_.diagnostics());
+      recording.post_channels.push_back({channel.name, post});
+      recording.post_sources.push_back(std::move(channel));
     }
-    return posts;
   }
 
   std::optional<AcquisitionFilter> Filter(const YAML::Node& node) {

@@ -8,6 +8,7 @@
 #include "analysis/text/named.h"
 #include "analysis/text/number.h"
 #include "identify/experiments/four_post/findings.h"
+#include "identify/study_file/source_recording.h"
 
 namespace fourpost {
 namespace {
@@ -43,10 +44,17 @@ void Turn(FrequencyResponse& response) {
     for (std::complex<double>& value : channel.response) value = -value;
 }
 
+/// What is done to a channel over time before responses are made of it.
+bool IsPrepared(const SourceChannel& channel) {
+  return !channel.unit.empty() || !channel.offset.empty() || channel.has_trend || channel.high_pass_Hz ||
+         channel.integrated_above_Hz;
+}
+
 class MeasuredRecording {
  public:
-  MeasuredRecording(const StudyRecording& recording, const std::string& study, Diagnostics& diagnostics)
-      : recording_(recording), place_{study, recording.line}, diagnostics_(diagnostics) {}
+  MeasuredRecording(const StudyRecording& recording, const std::string& study, const StudyChannels& channels,
+                    Diagnostics& diagnostics)
+      : recording_(recording), channels_(channels), place_{study, recording.line}, diagnostics_(diagnostics) {}
 
   std::optional<FrequencyResponse> Read(const std::vector<std::string>& posts, const std::vector<double>& shape) {
     std::optional<MeasuredResponses> measured = Measure();
@@ -77,8 +85,29 @@ class MeasuredRecording {
     return MeasureResponses({.files = {recording_.file},
                              .posts = recording_.post_channels,
                              .filter = recording_.filter,
-                             .preparation = recording_.preparation},
+                             .preparation = Preparation()},
                             diagnostics_);
+  }
+
+  RigPreparation Preparation() const {
+    RigPreparation preparation{.times = recording_.preparation,
+                               .channels = StatedChannels(),
+                               .start_s = recording_.start_s,
+                               .end_s = recording_.end_s};
+    if (recording_.time) preparation.time = TimeColumn(recording_.time);
+    return preparation;
+  }
+
+  std::vector<RecordedChannel> StatedChannels() const {
+    std::vector<RecordedChannel> stated;
+    for (const SourceChannel& post : recording_.post_sources) stated.push_back(AsRecorded(post, kLength, ""));
+    for (const auto& [sensor, source] : channels_)
+      for (const SourceChannel& channel : source.channels) {
+        stated.push_back(AsRecorded(channel, {}, ""));
+        stated.back().factor = 1;
+        stated.back().delay_s = 0;
+      }
+    return stated;
   }
 
   /// Of each post of the vehicle among those of the recording.
@@ -116,30 +145,41 @@ class MeasuredRecording {
   }
 
   const StudyRecording& recording_;
+  const StudyChannels& channels_;
   Place place_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-bool IsOverTime(const std::filesystem::path& file) {
+bool IsOverTime(const StudyRecording& recording) {
   // Its faults are reported by the one who reads it in earnest.
   Diagnostics unheard;
-  const std::optional<RecordedTable> table = ReadRecordedTable(file, unheard);
-  return table && IsTimeHistory(*table);
+  const std::optional<RecordedTable> table = ReadRecordedTable(recording.file, unheard);
+  if (!table || IsSteppedSine(*table)) return false;
+  return IsTimeHistory(*table) || (recording.time && table->FindColumn(recording.time->name));
+}
+
+bool IsOverTime(const std::filesystem::path& file) {
+  return IsOverTime(StudyRecording{.name = {}, .file = file, .posts = {}, .pattern = {}});
 }
 
 std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording, const std::string& study,
-                                                 const std::vector<std::string>& posts, Diagnostics& diagnostics) {
-  return MeasuredRecording(recording, study, diagnostics).Content(posts);
+                                                 const StudyChannels& channels, const std::vector<std::string>& posts,
+                                                 Diagnostics& diagnostics) {
+  return MeasuredRecording(recording, study, channels, diagnostics).Content(posts);
 }
 
 std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
+                                                    const StudyChannels& channels,
                                                     const std::vector<std::string>& posts,
                                                     const std::vector<double>& shape, Diagnostics& diagnostics) {
-  if (IsOverTime(recording.file)) return MeasuredRecording(recording, study, diagnostics).Read(posts, shape);
-  if (!recording.post_channels.empty() || recording.filter || recording.preparation.IsGridded())
-    diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
+  if (IsOverTime(recording)) return MeasuredRecording(recording, study, channels, diagnostics).Read(posts, shape);
+  if (recording.IsOfHistory()) diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
+  for (const auto& [sensor, source] : channels)
+    for (const SourceChannel& channel : source.channels)
+      if (IsPrepared(channel))
+        diagnostics.Report(kSineChannelOfHistory, {study, source.line}, {sensor, recording.name});
   return ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
 }
 

@@ -12,7 +12,12 @@
 namespace fourpost {
 
 /// Whether a file is a time history, of which responses are made.
+bool IsOverTime(const StudyRecording& recording);
 bool IsOverTime(const std::filesystem::path& file);
+
+/// Sensor of the vehicle, and what was measured for it. Unit, offset and drift of channels are taken out of time
+/// histories before responses are made of them; sign, scale and delay are left to the user of these.
+using StudyChannels = std::vector<std::pair<std::string, ChannelSource>>;
 
 /// What is in a time history: its channels, and how the posts of the vehicle moved, the share of each in each motion.
 struct HistoryContent {
@@ -23,13 +28,15 @@ struct HistoryContent {
 /// Of a recording that is a time history, whose posts the study need not state. Adds every fault; nothing when there
 /// was one.
 std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording, const std::string& study,
-                                                 const std::vector<std::string>& posts, Diagnostics& diagnostics);
+                                                 const StudyChannels& channels, const std::vector<std::string>& posts,
+                                                 Diagnostics& diagnostics);
 
 /// The responses of a recording of a study: of a table of stepped sines as it stands, see ReadFrequencyResponse(); of a
 /// time history as MeasureResponses() makes them, those in which the posts of the vehicle move as stated: `posts` are
 /// their names, `shape` their shares. Where `posts` is empty, whatever the file holds. Adds every fault, at the study's
 /// line where it contradicts the file; nothing when there was one.
 std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
+                                                    const StudyChannels& channels,
                                                     const std::vector<std::string>& posts,
                                                     const std::vector<double>& shape, Diagnostics& diagnostics);
 

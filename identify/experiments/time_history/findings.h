@@ -25,8 +25,6 @@ inline const Finding kHistoryCostUnknown{"history-cost-unknown", Severity::kErro
 inline const Finding kHistoryPostUnknown{"history-post-unknown", Severity::kError, "the vehicle has no post '{}'{}"};
 inline const Finding kHistoryHeights{"history-heights", Severity::kError, "'heights' of {} can only be 'absolute'",
                                      "leave it out for heights about their means"};
-inline const Finding kHistoryWith{"history-with", Severity::kError, "{} must be a list of files",
-                                  "write [b.csv], or [{file: b.csv, delay: 12 ms}]"};
 inline const Finding kSaturatedLeftOut{"saturated-left-out", Severity::kWarning,
                                        "'{}' {} in {}, so it is left out of the validation", "check its range"};
 inline const Finding kHistoryAllSaturated{"history-all-saturated", Severity::kError,
@@ -82,6 +80,14 @@ inline const Finding kChannelSaturated{
     "channel-saturated", Severity::kWarning, "'{}' {} of {}, like a saturated sensor",
     "exclude it from the window by 'start' and 'end' of the history, or remove the channel from the study",
     Weight::kGrave};
+inline const Finding kPostsUnitMistaken{
+    "posts-unit-mistaken", Severity::kError,
+    "the heights of the posts of '{}' are in another unit than stated, by a factor of 1000: {}",
+    "write '{}' in the study", Weight::kGrave};
+inline const Finding kChannelThousandfold{
+    "channel-thousandfold", Severity::kError,
+    "'{}' of '{}' reads {} times what the vehicle file gives, so its unit is wrong by a factor of 1000",
+    "write '{}' in the study", Weight::kGrave};
 inline const Finding kPostSampledTooSlowly{
     "post-sampled-too-slowly", Severity::kWarning,
     "post '{}' of history '{}' moves up to {} Hz and is sampled at {} Hz, but {} samples a period are needed",

@@ -11,6 +11,7 @@
 #include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/named_channels.h"
+#include "identify/study_file/preparation_reader.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -67,35 +68,11 @@ class HistoryReader {
   }
 
   void ReadPreparation(const StrictMap& map, StudyHistory& history) {
-    history.preparation.rate_Hz = map.Quantity("resample", kFrequency, 1e-6);
-    history.preparation.bridge_s = map.Quantity("bridge", kTime, 0).value_or(0);
-    if (map.Has("with")) history.preparation.others = Others(map.Get("with"));
+    history.preparation = ReadTimePreparation(map, where_);
     if (const auto heights = map.Text("heights")) {
       history.has_absolute_heights = *heights == "absolute";
       if (!history.has_absolute_heights) map.Fault(map.Get("heights"), kHistoryHeights, {where_});
     }
-  }
-
-  /// A list of files, or of {file, delay}.
-  std::vector<OtherFile> Others(const YAML::Node& list) {
-    std::vector<OtherFile> others;
-    const std::string where = "'with' of " + where_;
-    if (!list.IsSequence() || list.size() == 0) {
-      diagnostics_.Report(kHistoryWith, {file_, LineOf(list)}, {where});
-      return others;
-    }
-    for (const YAML::Node& entry : list) {
-      OtherFile& other = others.emplace_back();
-      if (entry.IsScalar()) {
-        other.path = (study_.parent_path() / entry.Scalar()).lexically_normal();
-        continue;
-      }
-      const StrictMap map = Map(entry, where, {"file", "delay"});
-      map.Require("file");
-      if (const auto file = map.Text("file")) other.path = (study_.parent_path() / *file).lexically_normal();
-      other.delay_s = map.Quantity("delay", kTime, -1e9).value_or(0);
-    }
-    return others;
   }
 
   /// A mapping of names that are not known here.

@@ -10,6 +10,7 @@
 #include "analysis/text/units.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/kalman_progress.h"
+#include "identify/experiments/time_history/unit_lint.h"
 #include "identify/study_file/source_recording.h"
 
 namespace fourpost {
@@ -184,6 +185,10 @@ void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
   } catch (const TimedOut&) {
     Refuse(kKalmanTooSlow, {plan.file}, {FormatNumber(subject.deadline_s())});
   }
+}
+
+void TimeHistories::Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const {
+  LintUnits(*this, subject, wrong_posts, diagnostics);
 }
 
 Experiment::Geometry TimeHistories::CheckGeometry(const Subject& subject, const std::vector<double>& values,

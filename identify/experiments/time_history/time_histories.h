@@ -49,6 +49,7 @@ class TimeHistories : public Experiment {
   /// Of a cost by prediction: finds the noise under which the file's values are likeliest, to be held from then on.
   /// Throws FaultyInput where a run of the filter takes longer than the study's deadline.
   void Prepare(const Subject& subject, const WorkHooks& hooks) override;
+  void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
   Geometry CheckGeometry(const Subject& subject, const std::vector<double>& values, const WorkHooks& hooks) override;
   void Correct() override;
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;

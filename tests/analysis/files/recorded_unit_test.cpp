@@ -18,6 +18,8 @@ TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
                {"g", 9.80665, kAcceleration}, {" kN ", 1000, kForce},
                {"\xC2\xB5m", 1e-6, kLength},  {"um", 1e-6, kLength},
                {"mm/sec", 1e-3, kVelocity},   {"\xC2\xB0/s", std::numbers::pi / 180, kFrequency},
+               {"in", 0.0254, kLength},       {"lbf", 4.4482216152605, kForce},
+               {"ft/s2", 0.3048, kAcceleration},
                {"-", 1, kDimensionless}};
   for (const auto& [text, si, dimension] : cases) {
     const std::optional<Unit> unit = ParseRecordedUnit(text);

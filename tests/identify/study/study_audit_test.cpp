@@ -69,13 +69,6 @@ TEST(StudyAudit, UnitIsNamedByItsRatio) {
   EXPECT_THAT(Findings(study).Format(), testing::HasSubstr("inches"));
 }
 
-TEST(StudyAudit, AmplitudesThatNoRigMakes) {
-  LoadedStudy study = ShippedStudy();
-  for (MeasuredRun& run : Sines(study).runs)
-    for (double& amplitude : run.excitation.amplitude_m) amplitude /= 1000;
-  EXPECT_THAT(Findings(study).Format(), testing::HasSubstr("rig-amplitude"));
-}
-
 TEST(StudyAudit, JsonHasWhatTheTableHas) {
   const Audit audit = AuditStudy(ShippedStudy()).value();
   const nlohmann::ordered_json json = AuditJson(audit);

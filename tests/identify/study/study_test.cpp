@@ -168,10 +168,15 @@ TEST_F(StudyTest, ReadsAPatternOfPosts) {
   EXPECT_EQ(Read()->experiments.Find<FourPost>()->plan.recordings[0].pattern, std::nullopt);
 }
 
+TEST_F(StudyTest, BounceIsHeave) {
+  EXPECT_EQ(Read("{front: 1, rear: -0.5}", "bounce")->experiments.Find<FourPost>()->plan.recordings[0].pattern,
+            "heave");
+}
+
 TEST_F(StudyTest, ReportsAnUnknownPatternOfPosts) {
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "ptich"), Reports(kSinePatternUnknown, 5, {"'ptich'", "'pitch'"}));
-  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "bounce"),
-              Reports(kSinePatternUnknown, 5, {"'bounce'", "heave, pitch, roll, warp"}));
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "hop"),
+              Reports(kSinePatternUnknown, 5, {"'hop'", "heave, pitch, roll, warp"}));
 }
 
 TEST_F(StudyTest, ReportsPostsThatAreNeitherPatternNorShares) {

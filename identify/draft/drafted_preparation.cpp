@@ -1,0 +1,136 @@
+#include "identify/draft/drafted_preparation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/files/recorded_unit.h"
+#include "analysis/text/number.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/text_table.h"
+#include "identify/study_file/channel_source_text.h"
+
+namespace fourpost {
+namespace {
+
+/// Longer gaps hold motion that no interpolation knows.
+constexpr double kLongestBridge_s = 0.05;
+
+/// The longest run of samples without a number.
+std::size_t LongestMissing(const RecordedTable& table, std::size_t column) {
+  std::size_t longest = 0;
+  std::size_t run = 0;
+  for (std::size_t row = 0; row < table.rows(column); ++row) {
+    const std::optional<double> number = table.Number(row, column);
+    run = number && std::isfinite(*number) ? 0 : run + 1;
+    longest = std::max(longest, run);
+  }
+  return longest;
+}
+
+/// The longest gap, of rows or of fields; `count`: how many there are.
+double LongestGap(const RecordedTable& table, const RecordingSummary& summary, std::size_t& count) {
+  double longest_s = 0;
+  for (const TimeGap& gap : summary.time->gaps) longest_s = std::max(longest_s, gap.to_s - gap.from_s);
+  count = summary.time->gaps.size();
+  for (const ColumnSummary& column : summary.columns) {
+    if (column.missing == 0 || column.missing == column.samples || !column.unit_known) continue;
+    const std::size_t longest = LongestMissing(table, *table.FindColumn(column.name));
+    longest_s = std::max(longest_s, static_cast<double>(longest + 1) / summary.time->rate_Hz);
+    count += column.missing;
+  }
+  return longest_s;
+}
+
+/// In SI, which `noise` of a study takes; g may be read as grams there.
+std::string UnitOfNoise(const Dimension& dimension) { return dimension == kLength ? "mm" : SiUnit(dimension); }
+
+}  // namespace
+
+const ColumnSummary* DraftedPreparation::Find(const std::string& channel) const {
+  const auto found = std::find_if(summary.columns.begin(), summary.columns.end(),
+                                  [&](const ColumnSummary& column) { return column.name == channel; });
+  return found == summary.columns.end() ? nullptr : &*found;
+}
+
+DraftedPreparation PreparationOf(const RecordedTable& table) {
+  DraftedPreparation preparation{.times = {}, .summary = Summarise(table)};
+  if (!preparation.summary.time) return preparation;
+  const TimeSummary& time = *preparation.summary.time;
+  // Beyond what a reader takes as even.
+  constexpr double kJitter = 0.01;
+  if (time.jitter > kJitter) {
+    preparation.times.rate_Hz = std::round(1e3 * time.rate_Hz) / 1e3;
+    preparation.why_resampled = "steps differ by " + Rounded(100 * time.jitter, 2) + " % rms";
+  }
+  std::size_t count = 0;
+  const double longest_s = LongestGap(table, preparation.summary, count);
+  if (longest_s > 0 && longest_s <= kLongestBridge_s) {
+    // Next to a gap times may be rounded.
+    preparation.times.bridge_s = 1e-3 * std::ceil(1.05e3 * longest_s);
+    preparation.why_bridged = std::to_string(count) + (count == 1 ? " gap" : " gaps") + ", the longest " +
+                              Rounded(1e3 * longest_s, 2) + " ms";
+  }
+  return preparation;
+}
+
+bool Drifts(const ColumnSummary& column) {
+  // A straight line has a rise of 3.5 rms; a motion of few periods has a slope of its own.
+  constexpr double kDrifts = 1.7;
+  return column.rms > 0 && std::abs(column.drift) > kDrifts * column.rms;
+}
+
+void RemoveDrifts(const DraftedPreparation& preparation, ChannelMatch& match) {
+  for (SourceChannel& channel : match.source.channels)
+    if (const ColumnSummary* const column = preparation.Find(channel.name); column != nullptr && Drifts(*column))
+      channel.has_trend = true;
+}
+
+std::string TimesLines(const DraftedPreparation& preparation, const std::vector<std::string>& others) {
+  std::string lines;
+  if (const std::optional<TimeSummary>& time = preparation.summary.time;
+      time && std::find(kTimeColumn.names.begin(), kTimeColumn.names.end(), time->column) == kTimeColumn.names.end()) {
+    SourceChannel column(time->column);
+    // A column that rises evenly, without a unit: seconds are a guess.
+    if (time->is_guessed) column.unit = "s";
+    lines += "    time: " + SourceText({.channels = {column}}) +
+             (time->is_guessed ? "  # look at: it rises evenly; its unit is a guess\n" : "\n");
+  }
+  if (preparation.times.rate_Hz)
+    lines += "    resample: " + FormatNumber(*preparation.times.rate_Hz) + " Hz  # " + preparation.why_resampled + '\n';
+  if (preparation.times.bridge_s > 0)
+    lines += "    bridge: " + FormatNumber(std::round(1e3 * preparation.times.bridge_s)) + " ms  # " +
+             preparation.why_bridged + '\n';
+  std::string list;
+  for (const std::string& other : others) list += (list.empty() ? "" : ", ") + other;
+  if (!list.empty()) lines += "    with: [" + list + "]  # " + preparation.why_beside + '\n';
+  return lines;
+}
+
+std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<ChannelMatch>& matches) {
+  if (!preparation.summary.rest) return "";
+  std::string lines;
+  for (const ChannelMatch& match : matches) {
+    double sum = 0;
+    std::optional<Unit> unit;
+    for (const SourceChannel& channel : match.source.channels) {
+      const ColumnSummary* const column = preparation.Find(channel.name);
+      unit = column == nullptr ? std::nullopt : ParseRecordedUnit(column->unit);
+      if (!unit || !column->noise || !(column->noise->sd > 0)) {
+        sum = 0;
+        break;
+      }
+      sum += std::pow(column->noise->sd * unit->si * channel.factor, 2);
+    }
+    if (!(sum > 0)) continue;
+    const bool is_mean = match.source.combine == ChannelSource::Combine::kMean;
+    const std::string name = UnitOfNoise(unit->dimension);
+    const double sd = std::sqrt(sum) / (is_mean ? static_cast<double>(match.source.channels.size()) : 1.0);
+    lines += "      " + match.name + ": " + ShortNumber(sd / ParseUnit(name)->si, 3) + " " + name + '\n';
+  }
+  if (lines.empty()) return "";
+  const RestTime& rest = *preparation.summary.rest;
+  return "    noise:  # standard deviations at rest, from " + Rounded(rest.from_s, 3) + " to " + Rounded(rest.to_s, 3) +
+         " s after the first sample\n" + lines;
+}
+
+}  // namespace fourpost

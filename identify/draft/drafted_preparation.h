@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/files/recording_summary.h"
+#include "analysis/files/time_recording.h"
+#include "identify/draft/channel_match.h"
+
+namespace fourpost {
+
+/// What a recording over time needs before a fit takes it, and what is known of its channels at rest.
+struct DraftedPreparation {
+  TimePreparation times;
+  /// Why `resample`, `bridge` and `with` stand there; empty where they do not.
+  std::string why_resampled;
+  std::string why_bridged;
+  std::string why_beside;
+  RecordingSummary summary;
+
+  const ColumnSummary* Find(const std::string& channel) const;
+};
+
+/// Even times where steps jitter, and bridges over short gaps; of a table without a column of times nothing.
+DraftedPreparation PreparationOf(const RecordedTable& table);
+
+/// A straight line that outweighs all motion is a sensor's drift.
+bool Drifts(const ColumnSummary& column);
+
+/// Takes the drifts of its channels away.
+void RemoveDrifts(const DraftedPreparation& preparation, ChannelMatch& match);
+
+/// Lines `time`, `resample`, `bridge` and `with` of an entry of a study; `others`: files as the study names them.
+std::string TimesLines(const DraftedPreparation& preparation, const std::vector<std::string>& others);
+
+/// Lines of `noise` by the names of sensors: what the channels read at rest. Empty where nothing is known.
+std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<ChannelMatch>& matches);
+
+}  // namespace fourpost
