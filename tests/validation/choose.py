@@ -23,7 +23,7 @@ import tempfile
 from pathlib import Path
 
 import suggest
-from program import SOURCE, run
+from run_program import SOURCE, run
 
 VEHICLE = "landrover110_model1"
 CLICKS = list(range(4, 19))

@@ -20,7 +20,7 @@ from pathlib import Path
 import random_cars
 import random_dampers
 import random_stations
-from program import run
+from run_program import run
 
 KINDS = {"cars": (random_cars, random_cars.drawn), "flawed_cars": (random_cars, random_cars.drawn_with_one_flaw),
          "dampers": (random_dampers, random_dampers.drawn), "stations": (random_stations, random_stations.drawn)}

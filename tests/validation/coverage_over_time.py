@@ -16,7 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from program import SOURCE, run
+from run_program import SOURCE, run
 
 MODELS = {"quarter_car": ["post"], "single_wheel_station": None, "landrover110_model1": None}
 MOTIONS = {"sweep": ["--sweep", "0.5Hz:20Hz"], "random": ["--random", "4mm"], "road": ["--road", "C", "--speed", "50km/h"],

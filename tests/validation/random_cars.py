@@ -5,7 +5,7 @@ import math
 import re
 import statistics
 
-from program import SOURCE, run
+from run_program import SOURCE, run
 
 CAR = SOURCE / "urdf" / "landrover110_engine.urdf"
 MODES = {"bounce": "heave", "pitch": "pitch", "roll": "roll"}

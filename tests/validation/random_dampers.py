@@ -3,7 +3,7 @@ import csv
 import math
 import re
 
-from program import SOURCE
+from run_program import SOURCE
 
 MODELS = ["model2", "model3", "model4", "model5", "friction_knees"]
 RATE_HZ = 500

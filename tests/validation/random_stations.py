@@ -3,7 +3,7 @@ import csv
 import math
 import re
 
-from program import SOURCE, run
+from run_program import SOURCE, run
 
 STATIONS = SOURCE / "studies" / "single_wheel_station"
 MODELS = ["model1", "model2", "model3"]
