@@ -244,7 +244,8 @@ Eigen::VectorXd Certainty::MovedByMissing() const {
 
 double Certainty::SdAboutEnds(Index parameter) const {
   const double moved = MovedByMissing()[parameter];
-  return std::sqrt(std::max(0.0, total_sd[parameter] * total_sd[parameter] - moved * moved / 3));
+  const double variance = total_sd[parameter] * total_sd[parameter] - moved * moved / 3;
+  return variance < 0 ? 0 : std::sqrt(variance);  // NaN of one without a deviation
 }
 
 void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left) {

@@ -48,6 +48,8 @@ std::string Quoted(const std::vector<std::string>& names);
 /// What can be added where, by the kind of the elements.
 void AddDamperAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddSpringAdditions(const AdditionSource& source, std::vector<Addition>& additions);
+/// Elastic friction beside springs.
+void AddHysteresisAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddTyreAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddBushAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& additions);

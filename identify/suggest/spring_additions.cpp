@@ -28,10 +28,14 @@ class SpringAdditions {
       for (const double gap : {0.005, 0.01, 0.02, 0.035, 0.06})
         for (const char* side : {"bump", "rebound"})
           if (!HasStop(group, side)) AddStop(group, side, gap);
-      for (const double ratio : {2, 6, 20})
-        if (!HasHysteresis(group)) AddHysteresis(group, ratio);
       if (group.size() == 2) AddBar(group);
     }
+  }
+
+  void AddAllHysteresis() {
+    for (const AdditionSource::Group& group : source_.Groups(lines_, are_coils_))
+      for (const double ratio : {2, 6, 20})
+        if (!HasHysteresis(group)) AddHysteresis(group, ratio);
   }
 
  private:
@@ -203,6 +207,10 @@ class SpringAdditions {
 
 void AddSpringAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
   SpringAdditions(source, additions).AddAll();
+}
+
+void AddHysteresisAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
+  SpringAdditions(source, additions).AddAllHysteresis();
 }
 
 }  // namespace fourpost

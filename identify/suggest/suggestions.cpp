@@ -91,6 +91,9 @@ class AugmentedStudy {
       failure_ = evaluation.ok() ? "residuals are not finite" : evaluation.detail;
     } catch (const TimedOut& late) {
       failure_ = late.what();
+    } catch (const std::invalid_argument& unfit) {
+      // Process noise is stated for each coordinate, and a part of its own has more.
+      failure_ = unfit.what();
     }
     return std::nullopt;
   }
@@ -201,6 +204,10 @@ class Suggester {
     std::vector<Addition> additions;
     AddDamperAdditions(source, additions);
     AddSpringAdditions(source, additions);
+    const Experiments& experiments = study_.study.experiments;
+    if (std::none_of(experiments.begin(), experiments.end(),
+                     [](const Experiment& one) { return one.IsOfSteadyMotions(); }))
+      AddHysteresisAdditions(source, additions);
     AddTyreAdditions(source, additions);
     AddBushAdditions(source, additions);
     AddBodyAdditions(source, additions);
@@ -223,6 +230,8 @@ class Suggester {
         trial.failure = FirstErrorOf(fault.diagnostics());
       } catch (const SimulationError& error) {
         trial.failure = error.what();
+      } catch (const std::invalid_argument& unfit) {
+        trial.failure = unfit.what();
       }
     }
     return trials;

@@ -28,6 +28,7 @@ class FourPost : public Experiment {
   void Load(const Subject& subject, Diagnostics& diagnostics) override;
   void AddTo(Sha256& data, Sha256& settings) const override;
   std::optional<ResidualBlock> Residuals(const Subject& subject) const override;
+  bool IsOfSteadyMotions() const override { return true; }
   bool MeasuresForce() const override;
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
   void AddRecordings(AuditedVehicle& audited) const override;
