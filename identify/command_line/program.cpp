@@ -86,7 +86,7 @@ void Program::AddInit() {
         if (!init_.vehicle.empty()) RequireVehicleFile(init_.vehicle);
         return Run(init_);
       });
-  sub->add_option("DIR,-o,--output", init_.folder,
+  sub->add_option("DIR", init_.folder,
                   "New or empty folder; with --from also one without a study.yaml, with --suspension one without a "
                   "vehicle.urdf")
       ->required();

@@ -113,7 +113,7 @@ class Experiment {
   virtual std::optional<ResidualBlock> UnpreparedResiduals(const Subject& subject) const { return Residuals(subject); }
   /// Whether the residuals are weighed by noise, so that a fit has standard deviations.
   virtual bool HasDeviations() const { return true; }
-  /// Whether its residuals are of steady motions, which are dear to find where friction yields elastically.
+  /// Whether its residuals are of steady motions, which are costly to find where friction yields elastically.
   virtual bool IsOfSteadyMotions() const { return false; }
   /// Whether forces are fitted, which give masses and rates their scale.
   virtual bool MeasuresForce() const = 0;

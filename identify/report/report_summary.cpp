@@ -8,6 +8,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
 #include "identify/report/judged_channel.h"
+#include "identify/report/missing_additions.h"
 #include "identify/report/report_tiles.h"
 #include "identify/uncertainty/derivative_noise.h"
 #include "vehicles/requests/versions.h"
@@ -121,59 +122,6 @@ std::string StatedTooLarge(double misfit) {
   return " They are " + ShownNumber(misfit, 2) +
          " times as large as stated: state smaller ones, such as <code>model_error</code>, for intervals follow from "
          "them.";
-}
-
-/// What the fit found worth adding to the vehicle; empty of runs that did not look.
-std::vector<Json> MissingOf(const Json& result) { return ListAt(result.value("missing", Json()), "suggestions"); }
-
-/// "dry friction beside damper 'front' (149 N)"
-std::string AdditionText(const Json& missing) {
-  return html::Escaped(TextAt(missing, "text") + " (" + TextAt(missing, "expected") + ")");
-}
-
-/// As a part of the verdict.
-std::string MostLikelyMissing(const Json& result) {
-  const std::vector<Json> missing = MissingOf(result);
-  return missing.empty() ? "" : " The model most probably lacks " + AdditionText(missing.front()) + '.';
-}
-
-/// "<code>k</code> +11 %, ..."
-std::string MovesOf(const Json& one) {
-  std::string moves;
-  for (const Json& moved : ListAt(one, "moves"))
-    moves += (moves.empty() ? "" : ", ") + Code(TextAt(moved, "name")) + ' ' +
-             (NumberAt(moved, "percent") > 0 ? "+" : "") + ShownNumber(NumberAt(moved, "percent"), 2) + " %";
-  return moves;
-}
-
-/// What additions would do together.
-std::string TogetherOf(const Json& result) {
-  const Json together =
-      result.value("missing", Json()).is_object() ? result["missing"].value("together", Json()) : Json();
-  std::string words;
-  for (const Json& one : ListAt(together, "additions"))
-    if (one.is_string()) words += (words.empty() ? "" : "; ") + html::Escaped(one.get<std::string>());
-  const std::string moves = MovesOf(together);
-  if (words.empty() || moves.empty()) return "";
-  return html::Element("p", "",
-                       "Together (" + words + ") they would move the parameters, and the intervals reach there: " +
-                           moves + ". " + Code("fourpost fit --grow") + " adds step by step what lowers BIC.");
-}
-
-/// All that the fit names, each with what it would change.
-std::string WhatIsMissing(const Json& result) {
-  std::string items;
-  for (const Json& one : MissingOf(result)) {
-    const std::string moves = MovesOf(one);
-    items += html::Element("li", "",
-                           AdditionText(one) + ": lowers the cost by " + ShownNumber(NumberAt(one, "fall_percent"), 2) +
-                               " %" + (moves.empty() ? "" : "; moves " + moves));
-  }
-  const std::string together = TogetherOf(result);
-  if (!items.empty()) return "Each alone, by its expected gain:" + html::Element("ul", "", items) + together;
-  const double tried = NumberAt(result.value("missing", Json()), "tried");
-  if (!together.empty() || !std::isfinite(tried) || !(MisfitOf(result) > kMisses)) return together;
-  return "Of " + ShownDecimals(tried, 0) + " additions to the model none explains the residuals.";
 }
 
 Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
@@ -464,7 +412,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   return tiles + html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
          Item("What does not fit", misses) +
-         Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result))) +
+         Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result, MisfitOf(result) > kMisses))) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +

@@ -66,4 +66,10 @@ JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<E
   return joined;
 }
 
+Eigen::VectorXd Unweighted(const Eigen::VectorXd& weighted, const Eigen::VectorXd& weights,
+                           const Eigen::VectorXd& otherwise) {
+  constexpr double kNothing = 1e-6;  // as of outliers by Tukey's loss
+  return (weights.array() > kNothing).select(weighted.array() / weights.array().sqrt(), otherwise.array());
+}
+
 }  // namespace fourpost

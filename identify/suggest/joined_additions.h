@@ -25,4 +25,9 @@ struct JoinedAdditions {
 JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<Eigen::VectorXd>& with,
                               const std::function<bool(double, const Eigen::VectorXd&, std::size_t)>& pays);
 
+/// Residuals r of which sqrt(weight) r is `weighted`; where the weight is nothing, which `weighted` says nothing of,
+/// those of `otherwise`.
+Eigen::VectorXd Unweighted(const Eigen::VectorXd& weighted, const Eigen::VectorXd& weights,
+                           const Eigen::VectorXd& otherwise);
+
 }  // namespace fourpost

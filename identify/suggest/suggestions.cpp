@@ -348,13 +348,16 @@ class Suggester {
     std::vector<Eigen::VectorXd> with;
     for (std::size_t i = 0; i < std::min(kConfirmed, list.size()); ++i) with.push_back(list[i]->test->left);
     const auto pays = [&](double before, const Eigen::VectorXd& left, std::size_t place) {
+      // No number of residuals to compare the cost with: see CriterionChange().
+      constexpr Index kNone = 0;
       const double effective = EffectiveResiduals(left.head(result_.residuals), structure_);
-      return CriterionChange(before, left.squaredNorm(), 0, effective, list[place]->addition.count, result_.tried) < 0;
+      return CriterionChange(before, left.squaredNorm(), kNone, effective, list[place]->addition.count, result_.tried) <
+             0;
     };
     const FittedPoint& point = fitted.point();
     const JoinedAdditions joined = JoinAdditions(fitted.Of(point.residuals).left, with, pays);
     result_.together = joined.places;
-    result_.left_together = joined.left.cwiseQuotient(point.loss.Weights(point.residuals).cwiseSqrt());
+    result_.left_together = Unweighted(joined.left, point.loss.Weights(point.residuals), point.residuals);
     result_.jacobian = point.jacobian;
     result_.moved_together.resize(values_.size(), std::ssize(joined.places));
     for (Index k = 0; k < result_.moved_together.cols(); ++k)

@@ -15,8 +15,8 @@ class Suspension(ProgramTest):
         return list(csv.DictReader(lines))
 
     def test_goes_from_the_template_to_a_car(self):
-        told = self.run_program("init", "car", "--suspension", "front=macpherson,rear=twist_beam").stdout
-        self.assertIn("fourpost init car --suspension front=macpherson,rear=twist_beam --points car/points.csv", told)
+        output = self.run_program("init", "car", "--suspension", "front=macpherson,rear=twist_beam").stdout
+        self.assertIn("fourpost init car --suspension front=macpherson,rear=twist_beam --points car/points.csv", output)
         self.assertEqual(self.run_program("check", "car/vehicle.urdf").stderr, "")
         before = json.loads(self.run_program("kinematics", "car/vehicle.urdf", "--json").stdout)
         # The rack 20 mm lower: another bump steer.
@@ -35,21 +35,21 @@ class Suspension(ProgramTest):
         self.assertTrue(rest["is_at_rest_as_drawn"])
 
     def test_spares_points_that_are_there(self):
-        self.run_program("init", "-o", "car", "--suspension", "front=a_frame,rear=a_frame")
+        self.run_program("init", "car", "--suspension", "front=a_frame,rear=a_frame")
         self.write("car/points.csv", "mine")
-        told = self.run_program("init", "car", "--suspension", "front=a_frame,rear=a_frame", "--replace", code=5).stderr
-        self.assertIn("[points-are-there]", told)
+        output = self.run_program("init", "car", "--suspension", "front=a_frame,rear=a_frame", "--replace", code=5).stderr
+        self.assertIn("[points-are-there]", output)
         self.assertEqual((self.folder / "car/points.csv").read_text(), "mine")
 
     def test_lists_all_faults_and_writes_nothing(self):
         self.write("points.csv", "axle,point,x [mm],y [mm],z [mm]\nfront,contact,0,750,zero\nrear,contct,0,750,0\n"
                                  "front,tie_inner,100,-380,260\n")
-        told = self.run_program("init", "car", "--suspension", "front=double_wishbone,rear=trailing_arm", "--points",
+        output = self.run_program("init", "car", "--suspension", "front=double_wishbone,rear=trailing_arm", "--points",
                                 "points.csv", code=3).stderr
-        self.assert_finding(told, "points-number", "points.csv:2: ")
-        self.assert_finding(told, "point-unknown", "points.csv:3: ")
-        self.assert_finding(told, "point-side", "points.csv:4: ")
-        self.assert_finding(told, "point-missing", "points.csv: ")
+        self.assert_finding(output, "points-number", "points.csv:2: ")
+        self.assert_finding(output, "point-unknown", "points.csv:3: ")
+        self.assert_finding(output, "point-side", "points.csv:4: ")
+        self.assert_finding(output, "point-missing", "points.csv: ")
         self.assertFalse((self.folder / "car").exists())
 
     def test_takes_a_file_of_any_name(self):

@@ -43,7 +43,7 @@ class PointCheck {
 
   void Sort(const HardPoint& point) {
     const auto axle = std::find(kAxles.begin(), kAxles.end(), point.axle);
-    if (axle == kAxles.end()) return Report(point, kPointAxle, {point.axle});
+    if (axle == kAxles.end()) return Report(point, kSuspensionAxle, {point.axle});
     AxlePoints& points = car_[static_cast<std::size_t>(axle - kAxles.begin())];
     const PointSpec* const spec = points.kind->Find(point.name);
     if (!spec) return ReportUnknown(point, *points.kind);

@@ -40,8 +40,6 @@ inline const Finding kPointsNumber{"points-number", Severity::kError, "'{}' is n
 inline const Finding kPointsEmpty{"points-empty", Severity::kError, "the file has no points",
                                   "run without --points for a file to edit"};
 
-inline const Finding kPointAxle{"point-axle", Severity::kError, "no axle is called '{}'",
-                                "the axles are front and rear"};
 inline const Finding kPointUnknown{"point-unknown", Severity::kError, "{} has no point '{}'{}",
                                    "correct the name, or remove the row"};
 inline const Finding kPointTwice{"point-twice", Severity::kError, "the {} axle's '{}' stands in line {} already",

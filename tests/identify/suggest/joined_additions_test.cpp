@@ -56,5 +56,11 @@ TEST(JoinedAdditions, OfNothingIsNothing) {
   EXPECT_EQ(joined.left, Wave(1));
 }
 
+// Outliers by Tukey's loss weigh nothing.
+TEST(JoinedAdditions, KeepsResidualsThatWeighNothing) {
+  const VectorXd r = Unweighted(Eigen::Vector2d(6, 0), Eigen::Vector2d(4, 0), Eigen::Vector2d(1, 50));
+  EXPECT_EQ(r, VectorXd(Eigen::Vector2d(3, 50)));
+}
+
 }  // namespace
 }  // namespace fourpost

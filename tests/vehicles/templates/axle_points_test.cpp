@@ -72,7 +72,7 @@ TEST(AxlePoints, ReportsAllFaultsAtOnce) {
   EXPECT_THAT(findings, Reports(kPointSide, side, {"tie_outer", "-690 mm"}));
   EXPECT_THAT(findings, Reports(kPointMissing, 0, {"pivot", "rear,pivot,X,Y,Z"}));
   EXPECT_THAT(findings, Reports(kPointUnknown, 90, {"pivt", "did you mean 'pivot'"}));
-  EXPECT_THAT(findings, Reports(kPointAxle, 91, {"middle"}));
+  EXPECT_THAT(findings, Reports(kSuspensionAxle, 91, {"middle"}));
   EXPECT_THAT(findings, Reports(kPointTwice, 92, {"contact", std::to_string(points.LineOf("front", "contact"))}));
   EXPECT_EQ(findings.items().size(), 5u);
 }
