@@ -146,11 +146,14 @@ std::optional<ParameterSpread> FitResult::Spread() const {
     fitted[static_cast<Eigen::Index>(axes.size())] = one.value;
     axes.push_back({one.name, one.lower, one.upper, (one.upper - one.lower) / kSteps});
   }
+  Eigen::VectorXd moved;
+  if (!certainty->missing.empty()) moved = certainty->MovedByMissing()(certainty->judged);
   return ParameterSpread{.lattice = Lattice(std::move(axes)),
                          .values = std::move(fitted),
                          .judged = certainty->judged,
                          .noise = certainty->noise_covariance,
-                         .total = certainty->total_covariance};
+                         .total = certainty->total_covariance,
+                         .moved = std::move(moved)};
 }
 
 void FitResult::DropDeviations() {

@@ -136,9 +136,13 @@ Json LowerTriangle(const Eigen::MatrixXd& matrix) {
 Json Covariances(const FitResult& fit) {
   Json names = Json::array();
   for (const Eigen::Index j : fit.certainty->judged) names.push_back(fit.parameters[static_cast<std::size_t>(j)].name);
-  return {{"parameters", names},
-          {"noise", LowerTriangle(fit.certainty->noise_covariance)},
-          {"total", LowerTriangle(fit.certainty->total_covariance)}};
+  Json covariances = {{"parameters", names},
+                      {"noise", LowerTriangle(fit.certainty->noise_covariance)},
+                      {"total", LowerTriangle(fit.certainty->total_covariance)}};
+  if (fit.certainty->missing.empty()) return covariances;
+  const Eigen::VectorXd moved = fit.certainty->MovedByMissing()(fit.certainty->judged);
+  covariances["moved_by_missing"] = std::vector<double>(moved.begin(), moved.end());
+  return covariances;
 }
 
 /// What the intervals rest on.

@@ -131,7 +131,7 @@ class RunDrawer {
         hooks_(hooks),
         run_(ReadRunSpread(request.run)),
         variables_(run_.parameters.lattice),
-        covariance_(request.noise_only ? run_.parameters.noise : run_.parameters.total) {}
+        covariance_(request.noise_only ? run_.parameters.noise : run_.parameters.AboutMoved()) {}
 
   RunDraws Run() {
     if (request_.noise_only && request_.study.empty()) Refuse(kDrawsWithoutStudy, Place::Option("--noise-only"));
@@ -144,8 +144,9 @@ class RunDrawer {
     const std::vector<PosteriorOptimum> optima = Optima(others, cost);
     const std::vector<Index>& judged = run_.parameters.judged;
     const Posterior posterior(optima, covariance_, variables_.lower()(judged), variables_.upper()(judged));
-    const PosteriorDrawOptions options = {
+    PosteriorDrawOptions options = {
         .count = request_.count, .seed = request_.seed, .max_evaluations = request_.max_evaluations};
+    if (!request_.noise_only) options.moved = run_.parameters.moved;
     const auto costs_of = [&](const std::vector<Eigen::VectorXd>& points) { return cost->Costs(points); };
     const PosteriorDraws draws =
         request_.noise_only ? DrawByCost(posterior, costs_of, options) : DrawNormals(posterior, options);

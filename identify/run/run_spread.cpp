@@ -66,6 +66,7 @@ RunSpread SpreadOf(const nlohmann::json& result) {
   }
   spread.parameters.noise = FromLowerTriangle(covariance.at("noise"));
   spread.parameters.total = FromLowerTriangle(covariance.at("total"));
+  if (covariance.contains("moved_by_missing")) spread.parameters.moved = Vector(covariance["moved_by_missing"]);
   spread.cost = result.at("cost");
   spread.inflation = std::max(1.0, result.at("identifiability").at("sd_inflation").get<double>());
   spread.is_corrected = !intervals.at("moved_by_post_noise").empty();
@@ -105,7 +106,9 @@ RunSpread ReadRunSpread(const std::filesystem::path& run) {
   try {
     RunSpread spread = SpreadOf(result);
     const auto judged = static_cast<Index>(spread.parameters.judged.size());
-    if (spread.parameters.noise.rows() == judged && spread.parameters.total.rows() == judged) return spread;
+    const ParameterSpread& read = spread.parameters;
+    const bool fits = read.moved.size() == 0 || read.moved.size() == judged;
+    if (read.noise.rows() == judged && read.total.rows() == judged && fits) return spread;
   } catch (const nlohmann::json::exception&) {
   } catch (const std::invalid_argument&) {  // bounds that make no lattice
   }

@@ -15,21 +15,22 @@ using Eigen::Index;
 struct Tried {
   double amount = 0;
   Eigen::VectorXd residuals;
+  Eigen::VectorXd remainder;
   Followed followed;
 };
 
-/// Residuals at an amount, linear between those that are known and on from the outermost. `tried`: by amount, 0 among
-/// them.
+/// What is left at an amount, linear between those that are known and on from the outermost. `tried`: by amount, 0
+/// among them.
 Eigen::VectorXd Interpolated(const std::vector<Tried>& tried, double amount) {
   std::size_t after = 1;
   while (after + 1 < tried.size() && tried[after].amount < amount) ++after;
   const Tried& a = tried[after - 1];
   const Tried& b = tried[after];
-  return a.residuals + (amount - a.amount) / (b.amount - a.amount) * (b.residuals - a.residuals);
+  return a.remainder + (amount - a.amount) / (b.amount - a.amount) * (b.remainder - a.remainder);
 }
 
-/// Of the interpolated residuals, on a grid that is refined once.
-double BestAmount(const FollowedCost& fitted, const AmountRange& range, const std::vector<Tried>& tried) {
+/// Of what is left by interpolation, on a grid that is refined once.
+double BestAmount(const RobustLoss& loss, const AmountRange& range, const std::vector<Tried>& tried) {
   constexpr double kFurther = 6;
   constexpr int kPoints = 24;
   double reach = 0;
@@ -42,7 +43,7 @@ double BestAmount(const FollowedCost& fitted, const AmountRange& range, const st
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kPoints; ++i) {
       const double amount = from + i * step;
-      const double cost = fitted.Of(Interpolated(tried, amount)).cost;
+      const double cost = loss.Cost(Interpolated(tried, amount));
       if (cost < least) {
         least = cost;
         best = amount;
@@ -56,12 +57,24 @@ double BestAmount(const FollowedCost& fitted, const AmountRange& range, const st
 
 }  // namespace
 
-FollowedCost::FollowedCost(FittedPoint point) : point_(std::move(point)) {}
+FollowedCost::FollowedCost(FittedPoint point)
+    : point_(std::move(point)), weights_(point_.loss.Weights(point_.residuals)), normal_(Normal(weights_)) {}
+
+Eigen::LDLT<Eigen::MatrixXd> FollowedCost::Normal(const Eigen::VectorXd& weights) const {
+  // A variable may move by its range, or by a factor e: weak, and enough where nothing else determines it.
+  constexpr double kLoose = 1e-3;
+  Eigen::MatrixXd normal = point_.jacobian.transpose() * weights.asDiagonal() * point_.jacobian;
+  const double scale = normal.diagonal().size() > 0 ? normal.diagonal().maxCoeff() : 1;
+  normal.diagonal().array() += kLoose * std::min(1.0, scale) + 1e-12 * scale;
+  return normal.ldlt();
+}
+
+Eigen::VectorXd FollowedCost::Remainder(const Eigen::VectorXd& residuals) const {
+  return residuals - point_.jacobian * normal_.solve(point_.jacobian.transpose() * weights_.cwiseProduct(residuals));
+}
 
 Followed FollowedCost::Of(const Eigen::VectorXd& residuals) const {
   constexpr int kRounds = 3;
-  // A variable may move by its range, or by a factor e: weak, and enough where nothing else determines it.
-  constexpr double kLoose = 1e-3;
   Followed followed;
   const Eigen::MatrixXd& jacobian = point_.jacobian;
   const Index n = jacobian.cols();
@@ -71,11 +84,7 @@ Followed FollowedCost::Of(const Eigen::VectorXd& residuals) const {
   Eigen::VectorXd weights;
   for (int round = 0; round < rounds; ++round) {
     weights = point_.loss.Weights(now);
-    Eigen::MatrixXd normal = jacobian.transpose() * weights.asDiagonal() * jacobian;
-    const double scale = normal.diagonal().size() > 0 ? normal.diagonal().maxCoeff() : 1;
-    normal.diagonal().array() += kLoose * std::min(1.0, scale) + 1e-12 * scale;
-    const Eigen::VectorXd pull = jacobian.transpose() * weights.cwiseProduct(residuals);
-    followed.step = -normal.ldlt().solve(pull);
+    followed.step = -Normal(weights).solve(jacobian.transpose() * weights.cwiseProduct(residuals));
     now = residuals + jacobian * followed.step;
   }
   followed.cost = point_.loss.Cost(now);
@@ -88,8 +97,8 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
   constexpr int kMost = 4;
   constexpr double kSame = 0.15;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(fitted.point().jacobian.cols());
-  const Followed before = fitted.Of(fitted.point().residuals);
-  std::vector<Tried> tried = {{0, fitted.point().residuals, before}};
+  std::vector<Tried> tried(1);
+  tried.front().remainder = fitted.Remainder(fitted.point().residuals);
   ScoreTest test;
   double amount = range.first;
   for (; test.evaluations < kMost;) {
@@ -102,43 +111,42 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
       if (amount < range.least && range.least > 0) break;
       continue;
     }
-    const Followed followed = fitted.Of(*there);
-    tried.push_back({amount, *std::move(there), followed});
+    tried.push_back({amount, *there, fitted.Remainder(*there), fitted.Of(*there)});
     std::sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.amount < b.amount; });
     if (range.least == range.greatest) break;
-    amount = BestAmount(fitted, range, tried);
+    amount = BestAmount(fitted.point().loss, range, tried);
     const bool is_known = std::any_of(tried.begin(), tried.end(), [&](const Tried& one) {
       return std::abs(one.amount - amount) <= kSame * std::max(std::abs(one.amount), std::abs(amount));
     });
     if (is_known || std::abs(amount) < 1e-9 * std::abs(range.first)) break;
   }
   if (tried.size() < 2) return std::nullopt;
-  const Tried* best = nullptr;
-  for (const Tried& one : tried)
+  Tried* best = nullptr;
+  for (Tried& one : tried)
     if (one.amount != 0 && (!best || one.followed.cost < best->followed.cost)) best = &one;
   test.amount = best->amount;
   test.cost = best->followed.cost;
   test.step = best->followed.step;
-  test.direction = fitted.Of(best->residuals - fitted.point().residuals).left;
   test.left = best->followed.left;
+  test.alone = std::move(best->residuals);
   return test;
 }
 
 void Confirm(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals, ScoreTest& test) {
   constexpr int kMost = 7;
+  constexpr int kMostShorter = 3;
   constexpr double kShorter = 0.3;
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(test.step.size());
-  ++test.evaluations;
-  const std::optional<Eigen::VectorXd> alone = residuals(test.amount, none);
-  if (!alone) return;
-  const Index n = none.size();
-  const Eigen::VectorXd column = (*alone - fitted.point().residuals) / test.amount;
+  constexpr double kStill = 0.01;
+  const Index n = test.step.size();
+  const Eigen::VectorXd column = (test.alone - fitted.point().residuals) / test.amount;
   double amount = 0;
-  Eigen::VectorXd step = none;
-  double cost = fitted.point().loss.Cost(fitted.point().residuals);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
+  const double before = fitted.point().loss.Cost(fitted.point().residuals);
+  double cost = before;
   double amount_ahead = test.amount;
   Eigen::VectorXd step_ahead = test.step;
-  for (int round = 0; round < kMost; ++round) {
+  int shorter = 0;
+  for (int round = 0; round < kMost && shorter < kMostShorter; ++round) {
     ++test.evaluations;
     const double next_amount = range.least == range.greatest ? range.first : amount + amount_ahead;
     const std::optional<Eigen::VectorXd> there =
@@ -147,9 +155,11 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
     if (!(next_cost < cost)) {
       amount_ahead *= kShorter;
       step_ahead *= kShorter;
+      ++shorter;
       continue;
     }
-    const bool is_end = next_cost > 0.999 * cost;
+    shorter = 0;
+    const bool is_end = cost - next_cost < kStill * (before - next_cost);
     cost = next_cost;
     amount = std::clamp(next_amount, range.least, range.greatest);
     step += step_ahead;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "identify/refine/robust_loss.h"
@@ -35,10 +36,16 @@ class FollowedCost {
   explicit FollowedCost(FittedPoint point);
 
   Followed Of(const Eigen::VectorXd& residuals) const;
+  /// Residuals that no step accounts for, with the weights of the fitted point: linear in `residuals`.
+  Eigen::VectorXd Remainder(const Eigen::VectorXd& residuals) const;
   const FittedPoint& point() const { return point_; }
 
  private:
+  Eigen::LDLT<Eigen::MatrixXd> Normal(const Eigen::VectorXd& weights) const;
+
   FittedPoint point_;
+  Eigen::VectorXd weights_;
+  Eigen::LDLT<Eigen::MatrixXd> normal_;
 };
 
 /// The residuals for an amount of something new and a step of the variables; nothing where they cannot be evaluated.
@@ -50,8 +57,8 @@ struct ScoreTest {
   /// Below that of the fitted point.
   double cost = 0;
   Eigen::VectorXd step;
-  /// What it changes in the residuals beyond what the variables could, weighted.
-  Eigen::VectorXd direction;
+  /// Residuals with the amount that TestAmount() found, variables as they were.
+  Eigen::VectorXd alone;
   /// Weighted residuals with it, variables following.
   Eigen::VectorXd left;
   int evaluations = 0;

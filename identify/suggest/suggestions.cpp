@@ -162,7 +162,7 @@ class Suggester {
     std::vector<Trial*> best = BestOfEach(trials, before);
     Confirm(fitted, before, best);
     LeaveOutParts(best);
-    Describe(before, best);
+    Describe(fitted, before, best);
     Join(fitted, best);
     for (const Trial& trial : trials)
       if (!trial.test) result_.failed.push_back({trial.addition.words, trial.failure});
@@ -321,7 +321,7 @@ class Suggester {
     list = std::move(kept);
   }
 
-  void Describe(double before, const std::vector<Trial*>& list) {
+  void Describe(const FollowedCost& fitted, double before, const std::vector<Trial*>& list) {
     for (const Trial* trial : list) {
       SuggestedAddition one{.addition = trial->addition, .amount = trial->test->amount};
       if (one.addition.values) one.values = one.addition.values(one.amount);
@@ -333,10 +333,14 @@ class Suggester {
       result_.list.push_back(std::move(one));
     }
     const std::size_t worthwhile = result_.Worthwhile();
+    // What each changes in the residuals beyond what the variables could.
+    std::vector<Eigen::VectorXd> beyond(worthwhile);
+    for (std::size_t i = 0; i < worthwhile; ++i)
+      beyond[i] = fitted.Of(list[i]->test->alone - fitted.point().residuals).left;
     for (std::size_t i = 0; i < worthwhile; ++i)
       for (std::size_t k = 0; k < worthwhile; ++k) {
-        const Eigen::VectorXd& a = list[i]->test->direction;
-        const Eigen::VectorXd& b = list[k]->test->direction;
+        const Eigen::VectorXd& a = beyond[i];
+        const Eigen::VectorXd& b = beyond[k];
         if (i != k && std::abs(a.dot(b)) > kAlike * a.norm() * b.norm()) result_.list[i].like.push_back(k);
       }
   }

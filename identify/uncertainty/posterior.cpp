@@ -115,14 +115,25 @@ double Posterior::LogDensity(const Eigen::VectorXd& x, double cost) const {
   return -(mode.optimum.cost - modes_.front().optimum.cost) / (2 * temperature_) - scale * rise / 2;
 }
 
-Eigen::VectorXd Posterior::DrawNormal(std::uint64_t seed, std::size_t i) const {
+double Posterior::ShareWithin(const Eigen::VectorXd& from, const Eigen::VectorXd& moved) const {
+  double share = 1;
+  for (Eigen::Index j = 0; j < moved.size(); ++j) {
+    const double room = (moved[j] > 0 ? upper_[j] : lower_[j]) - from[j];
+    if (moved[j] != 0) share = std::min(share, room / moved[j]);
+  }
+  return std::max(share, 0.0);
+}
+
+Eigen::VectorXd Posterior::DrawNormal(std::uint64_t seed, std::size_t i, const Eigen::VectorXd& moved) const {
   // Multiples of the golden ratio: any number of draws meets the shares as nearly as it can.
   constexpr double kGolden = 0.6180339887498949;
   double left = std::fmod(0.5 + kGolden * static_cast<double>(i), 1.0);
   std::size_t k = 0;
   while (k + 1 < modes_.size() && left >= shares_[k]) left -= shares_[k++];
   Draws draws(seed, DrawPurpose::kPosterior, 0, i);
-  return DrawNormalWithin(modes_[k].optimum.centre, modes_[k].root, lower_, upper_, draws);
+  Eigen::VectorXd centre = modes_[k].optimum.centre;
+  if (moved.size() > 0) centre += draws.Uniform() * ShareWithin(centre, moved) * moved;
+  return DrawNormalWithin(centre, modes_[k].root, lower_, upper_, draws);
 }
 
 }  // namespace fourpost

@@ -46,8 +46,9 @@ class Posterior {
   double LogDensity(const Eigen::VectorXd& x, double cost) const;
   /// Of a mixture of normal distributions about the optima, up to a constant.
   double LogNormal(const Eigen::VectorXd& x) const;
-  /// Point number `i` of that mixture within the bounds, optima in proportion to their evidence.
-  Eigen::VectorXd DrawNormal(std::uint64_t seed, std::size_t i) const;
+  /// Point number `i` of that mixture within the bounds, optima in proportion to their evidence; about a point that is
+  /// `moved` from the optimum by a share between 0 and 1, as far as the bounds let it. Empty: not moved.
+  Eigen::VectorXd DrawNormal(std::uint64_t seed, std::size_t i, const Eigen::VectorXd& moved = {}) const;
 
  private:
   struct Mode {
@@ -64,6 +65,8 @@ class Posterior {
   /// Share of plain draws within the bounds.
   double LogWithin(const Mode& mode) const;
   double LogNormalOf(const Mode& mode, const Eigen::VectorXd& x) const;
+  /// The largest share of a move that stays within the bounds, 1 at most.
+  double ShareWithin(const Eigen::VectorXd& from, const Eigen::VectorXd& moved) const;
   const Mode& NearestTo(const Eigen::VectorXd& x) const;
 
   Eigen::VectorXd lower_;

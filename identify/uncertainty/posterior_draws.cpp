@@ -9,9 +9,10 @@ namespace {
 
 using Points = std::vector<Eigen::VectorXd>;
 
-Points NormalPoints(const Posterior& posterior, std::size_t count, std::uint64_t seed) {
+Points NormalPoints(const Posterior& posterior, const PosteriorDrawOptions& options) {
   Points points;
-  for (std::size_t i = 0; i < count; ++i) points.push_back(posterior.DrawNormal(seed, i));
+  for (std::size_t i = 0; i < options.count; ++i)
+    points.push_back(posterior.DrawNormal(options.seed, i, options.moved));
   return points;
 }
 
@@ -164,11 +165,11 @@ class Ensemble {
 }  // namespace
 
 PosteriorDraws DrawNormals(const Posterior& posterior, const PosteriorDrawOptions& options) {
-  return {.method = DrawMethod::kNormal, .points = NormalPoints(posterior, options.count, options.seed)};
+  return {.method = DrawMethod::kNormal, .points = NormalPoints(posterior, options)};
 }
 
 PosteriorDraws DrawByCost(const Posterior& posterior, const CostsOf& costs_of, const PosteriorDrawOptions& options) {
-  const Points normal = NormalPoints(posterior, options.count, options.seed);
+  const Points normal = NormalPoints(posterior, options);
   const std::vector<double> costs = costs_of(normal);
   std::vector<double> log_densities;
   std::vector<double> log_weights;

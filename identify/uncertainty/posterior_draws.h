@@ -14,6 +14,8 @@ namespace fourpost {
 struct PosteriorDrawOptions {
   std::size_t count = 200;
   std::uint64_t seed = 1;
+  /// The centre of each normal draw lies anywhere between an optimum and what is so far from it; empty: at the optimum.
+  Eigen::VectorXd moved = {};
   /// Of the cost, at most, where it shapes the draws.
   std::int64_t max_evaluations = 20000;
 };

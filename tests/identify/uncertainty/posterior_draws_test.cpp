@@ -87,6 +87,22 @@ TEST(PosteriorDraws, DoNotPileUpAtABound) {
 }
 
 // A corner of five correlated variables: every draw within, whose share of plain draws is a thousandth.
+// Of a uniform number and a normal one mean and variance add up: m / 2, and 1 + m^2 / 12.
+TEST(PosteriorDraws, LieBetweenAnOptimumAndWhereItWouldMove) {
+  const Points points = DrawNormals(OfOne(1, -50, 50), {.count = 4000, .moved = One(-6)}).points;
+  EXPECT_NEAR(Mean(points), -3, 4 * 2 / std::sqrt(4000.0));
+  EXPECT_NEAR(Covariance(points, 0, 0), 4, 0.4);
+  // Upper tail Q from 1 to 7 on average: (phi(1) - Q(1)) / 6; chance of 4000 draws.
+  EXPECT_NEAR(ShareAbove(points, 1), 0.0139, 0.0075);
+}
+
+// The mean of normal numbers above -2 about centres from -2 to 0, by 400000 draws of scipy's truncnorm.
+TEST(PosteriorDraws, MoveAsFarAsBoundsAllow) {
+  const Points points = DrawNormals(OfOne(1, -2, 50), {.count = 4000, .moved = One(-1000)}).points;
+  for (const Eigen::VectorXd& point : points) ASSERT_GE(point[0], -2);
+  EXPECT_NEAR(Mean(points), -0.665, 0.055);
+}
+
 TEST(PosteriorDraws, FillACorner) {
   constexpr Eigen::Index kSize = 5;
   const Eigen::MatrixXd covariance =
