@@ -62,6 +62,7 @@ int Run(const FitCommand& command) {
   if (command.json) Print(run.json);
   else PrintText((command.grow ? GrowthText(grown.steps) : "") + run.text);
   std::fprintf(stderr, "results: %s; open %s\n", command.output.c_str(), (command.output / "report.html").c_str());
+  if (grown.is_interrupted) return CodeOf(FitEnd::kInterrupted);
   return fit.end == FitEnd::kConverged && !run.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }
 

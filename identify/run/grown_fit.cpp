@@ -64,6 +64,8 @@ class Grower {
       if (!next) break;
       study = *next;
     }
+    grown_.is_interrupted = hooks_.work.IsStopped();
+    if (grown_.is_interrupted) hooks_.work.Note("interrupted: the results are those of the last step that was kept");
     Finish(study);
     return std::move(grown_);
   }
@@ -139,7 +141,15 @@ class Grower {
     FitRequest request = request_;
     request.study = study;
     request.from_file = !LastKept().added.empty();
-    grown_.fit = FitStudy(request, hooks_);
+    if (!grown_.is_interrupted) grown_.fit = FitStudy(request, hooks_);
+    else grown_.fit = FitStudy(AlreadyFitted(request), {.work = {.note = hooks_.work.note, .find = hooks_.work.find}});
+  }
+
+  /// What costs no evaluation, so that nothing stops it.
+  static FitRequest AlreadyFitted(FitRequest request) {
+    request.name_missing = false;
+    request.profile.clear();
+    return request;
   }
 
   void WritePath() const {

@@ -31,6 +31,8 @@ struct GrownFit {
   std::vector<GrowthStep> steps;
   /// Of the last step that was kept, into the output itself.
   FitRun fit;
+  /// Stopped before it was known whether more pays.
+  bool is_interrupted = false;
 };
 
 /// Fits the study, asks what could be added, adds the best of it, fits again, and goes on while the extended BIC falls

@@ -1,6 +1,11 @@
 """What `fourpost suggest` names first is what was planted; its files can be fitted; a fit grows by it."""
+import csv
 import json
+import math
 import random
+import signal
+import statistics
+import subprocess
 import sys
 import unittest
 
@@ -68,6 +73,16 @@ class Suggest(ProgramTest):
             self.assertTrue(low <= truth[one["name"]] <= high, one)
             limits.add(one["limited_by"])
         self.assertIn("missing: elastic friction (hysteresis) beside spring 'spring'", limits)
+        # Draws reach to the same side: their means are half-way, by their own chance.
+        self.run_program("draws", "run", "-n", "400", "-o", "draws.csv")
+        with open(self.folder / "draws.csv", newline="") as file:
+            names, _, *rows = csv.reader(file)
+        covariance = result["intervals"]["covariance"]
+        values = {one["name"]: one["value"] for one in result["parameters"]}
+        for name, moved in zip(covariance["parameters"], covariance["moved_by_missing"]):
+            logs = [math.log(float(row[names.index(name)]) / values[name]) for row in rows]
+            spread = 5 * statistics.stdev(logs) / math.sqrt(len(logs))
+            self.assertAlmostEqual(statistics.mean(logs), moved / 2, delta=spread, msg=name)
         # Closer to the truth than the values are: by less than half of their errors.
         moves = {move["name"]: 1 + move["percent"] / 100 for move in result["missing"]["together"]["moves"]}
         for one in result["parameters"]:
@@ -98,6 +113,22 @@ class Suggest(ProgramTest):
         self.assertEqual(kept, ["", "friction"])
         result = json.loads((self.folder / "grown/result.json").read_text())
         self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
+
+    def test_growth_that_is_interrupted_ends_with_its_last_step(self):
+        self.record(FRICTION)
+        command = [FOURPOST, "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"]
+        program = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        for line in program.stderr:
+            if line.startswith("step 1:"):
+                program.send_signal(signal.SIGINT)
+                break
+        output, errors = program.communicate()
+        self.assertEqual(program.returncode, 130)
+        self.assertIn("those of the last step that was kept", errors)
+        self.assertIn("nothing", output)
+        result = json.loads((self.folder / "grown/result.json").read_text())
+        self.assertEqual(result["termination"], "converged")
+        self.assertTrue(all(one["interval_95"] for one in result["parameters"]))
 
 
 if __name__ == "__main__":
