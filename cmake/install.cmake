@@ -49,6 +49,8 @@ if(TARGET fourpost)
 endif()
 # Studies name their vehicle, and vehicles their meshes, by relative paths: the three keep their places.
 install(DIRECTORY urdf meshes studies DESTINATION ${FOURPOST_DATA_DIR} COMPONENT program)
+# What `fourpost batch` runs.
+install(DIRECTORY python/fourpost_batch DESTINATION ${FOURPOST_DATA_DIR}/python COMPONENT program FILES_MATCHING PATTERN "*.py")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fourpost RENAME copyright COMPONENT program)
 
 # `cpack --config build/release/CPackConfig.cmake` makes the Debian package of the program.

@@ -1,0 +1,209 @@
+"""Workers of a Dask scheduler: it places units, and replaces workers that die.
+
+What workers need is carried to them once: this package by value, and with `ship` the files of all units. A worker that
+can do none of the units says why and leaves.
+"""
+from __future__ import annotations
+
+import json
+import queue
+import sys
+import time
+from typing import Any, Mapping
+
+from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble, error, warning
+from .run import Outcome, finding_of
+from .unit import Unit
+from .work import Workplace
+
+try:
+    import cloudpickle
+    import distributed
+except ImportError:
+    text = f"this needs distributed, which {sys.executable} does not have: install it: apt install python3-distributed"
+    raise BatchError([error("batch-lacks-package", text)], USAGE) from None
+
+NAME = "fourpost-batch"
+LEAVING = "leaving"
+
+
+class Plant(distributed.WorkerPlugin):  # type: ignore[misc]
+    """A workplace on a Dask worker."""
+
+    name = NAME
+
+    def __init__(self, of: tuple[str, str, str, str], files: Mapping[str, bytes] | None):
+        self.of, self.files = of, files
+
+    def setup(self, worker: Any) -> None:
+        self.worker = worker
+        self.place = Workplace(*self.of, self.files)
+        self.place.worker = worker.address
+        self.trouble: Trouble | None = None
+        try:
+            self.place.check()
+        except Trouble as trouble:
+            self._leave(Trouble(trouble.kind, trouble.text, worker.address))
+
+    def teardown(self, worker: Any) -> None:
+        self.place.close()
+
+    def run(self, unit: dict[str, Any], fit: dict[str, Any] | None) -> Outcome:
+        if self.trouble is None:
+            try:
+                return self.place.run(Unit.of(unit), fit)
+            except Trouble as trouble:
+                if trouble.kind in LEAVES:
+                    self._leave(trouble)
+                raise
+        # Units that it was given meanwhile go elsewhere when it is gone.
+        time.sleep(5)
+        raise self.trouble
+
+    def _leave(self, trouble: Trouble) -> None:
+        if self.trouble is None:
+            self.trouble = trouble
+            self.worker.log_event(NAME, {"kind": trouble.kind, "text": trouble.text, "worker": trouble.worker})
+            self.worker.loop.add_callback(self.worker.loop.call_later, 0.5, self._close)
+
+    def _close(self) -> None:
+        self.worker.loop.add_callback(self.worker.close, nanny=True, executor_wait=False)
+
+
+def _work(unit: dict[str, Any], fit: dict[str, Any] | None) -> Outcome:
+    for _ in range(600):
+        plant = distributed.get_worker().plugins.get(NAME)
+        if plant is not None and hasattr(plant, "trouble"):
+            return plant.run(unit, fit)  # type: ignore[no-any-return]
+        # A worker that joins may get a unit before it is set up.
+        time.sleep(0.1)
+    raise Trouble("failed", "the worker was not set up")
+
+
+class DaskCrew:
+    """address: of the scheduler, tcp://HOST:PORT, or its scheduler file."""
+
+    stops_at = ()
+
+    def __init__(self, address: str, workplace: Workplace, files: Mapping[str, bytes] | None = None,
+                 patience: float = 60):
+        self.address, self.patience = address, patience
+        self.build, self.store = workplace.build, str(workplace.store.folder)
+        options: dict[str, Any] = {"address": address}
+        if not address.startswith("tcp://") and not address.startswith("tls://"):
+            options = {"scheduler_file": address}
+            self._check_file(address)
+        for module in [name for name in sys.modules if name.split(".")[0] == __package__]:
+            cloudpickle.register_pickle_by_value(sys.modules[module])
+        try:
+            self._client = distributed.Client(timeout=10, set_as_default=False, **options)
+        except (OSError, TimeoutError) as fault:
+            raise self._away(str(fault)) from None
+        self._answers: queue.SimpleQueue[tuple[str, Any]] = queue.SimpleQueue()
+        self._futures: dict[str, Any] = {}
+        self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self._sent = 0
+        self._ships = files is not None
+        self._alone_since: float | None = None
+        self._refused: list[Finding] = []
+        self._client.subscribe_topic(NAME, lambda event: self._events.put(event[1]))
+        plant = Plant((self.store, workplace.store.id, workplace.build, workplace.hint), files)
+        # That of an earlier batch would stay.
+        self._client.unregister_worker_plugin(NAME) if self._is_registered() else None
+        self._client.register_worker_plugin(plant, NAME)
+
+    @property
+    def dashboard(self) -> str:
+        """Where the scheduler shows its progress."""
+        return str(self._client.dashboard_link)
+
+    def _is_registered(self) -> bool:
+        names = self._client.run_on_scheduler(lambda dask_scheduler: list(dask_scheduler.worker_plugins))
+        return NAME in names
+
+    def _check_file(self, path: str) -> None:
+        try:
+            with open(path, encoding="utf-8") as stream:
+                json.load(stream)["address"]
+        except (OSError, ValueError, KeyError, TypeError) as fault:
+            raise self._away(f"'{path}' is not a scheduler file ({fault})") from None
+
+    def _away(self, why: str) -> BatchError:
+        text = f"the scheduler {self.address} does not answer: {why}: start it and run the batch again; results so far are kept"
+        return BatchError([error("batch-scheduler-away", text)], NOT_DONE)
+
+    def send(self, units: list[tuple[Unit, dict[str, Any] | None]]) -> None:
+        # Names of Dask's own, as a key that was lost is asked for again.
+        names = [f"{unit.kind}-{unit.key[:16]}-{self._sent + i}" for i, (unit, _) in enumerate(units)]
+        self._sent += len(units)
+        # Workers that see the store find it there.
+        fits = [fit if self._ships else None for _, fit in units]
+        futures = self._client.map(_work, [unit.to_dict() for unit, _ in units], fits, key=names, pure=False,
+                                   batch_size=1000)
+        for (unit, _), future in zip(units, futures):
+            self._futures[unit.key] = future
+            future.add_done_callback(lambda done, key=unit.key: self._answers.put((key, done)))
+
+    def receive(self) -> tuple[str, Outcome | Trouble]:
+        while True:
+            try:
+                key, future = self._answers.get(timeout=1)
+            except queue.Empty:
+                self._check_is_there()
+                continue
+            if self._futures.get(key) is not future:
+                continue
+            del self._futures[key]
+            return key, self._answer_of(future)
+
+    def _answer_of(self, future: Any) -> Outcome | Trouble:
+        if future.status == "finished":
+            outcome: Outcome = future.result(timeout=30)
+            return outcome
+        if future.status == "error":
+            fault = future.exception(timeout=30)
+            if isinstance(fault, Trouble):
+                return fault
+            if isinstance(fault, distributed.scheduler.KilledWorker):
+                return Trouble("lost", "several of its workers died")
+            return Trouble("failed", f"{type(fault).__name__}: {fault}")
+        self._check_is_there(is_lost=True)
+        return Trouble("lost", f"it was {future.status}")
+
+    def _check_is_there(self, is_lost: bool = False) -> None:
+        """Raises BatchError where the scheduler is gone, or no worker is there for a while."""
+        if self._client.status != "running":
+            raise self._away("the connection is lost")
+        try:
+            workers = self._client.nthreads()
+        except (OSError, TimeoutError, distributed.CommClosedError) as fault:
+            raise self._away(str(fault)) from None
+        if workers:
+            self._alone_since = None
+            return
+        self._alone_since = self._alone_since or time.monotonic()
+        self.warnings_so_far()
+        patience = min(self.patience, 10) if self._refused else self.patience
+        if time.monotonic() - self._alone_since > patience:
+            why = "".join(f"; {finding.text}" for finding in self._refused[:3])
+            text = f"no worker of {self.address} takes units{why}: start workers of this build of fourpost and run the batch again"
+            raise BatchError([error("batch-no-workers", text)], NOT_DONE)
+
+    def warnings_so_far(self) -> list[Finding]:
+        while not self._events.empty():
+            event = self._events.get()
+            if isinstance(event, dict) and event.get("kind") in LEAVES:
+                trouble = Trouble(event["kind"], event["text"], event["worker"])
+                self._refused.append(finding_of(trouble, self.build, self.store))
+        return self._refused
+
+    def warnings(self) -> list[Finding]:
+        found, self._refused = self.warnings_so_far(), []
+        return found
+
+    def close(self) -> None:
+        self._futures.clear()
+        try:
+            self._client.close(timeout=5)
+        except Exception:  # It is gone, so nothing is left to close.
+            pass
