@@ -1,11 +1,11 @@
 """Workers of a Dask scheduler: it places units, and replaces workers that die.
 
-What workers need is carried to them once: this package by value, and with `ship` the files of all units. A worker that
-can do none of the units says why and leaves.
+What workers need is carried to them once, see dask_plant.py; a worker that can do none of the units leaves.
 """
 from __future__ import annotations
 
 import json
+import pathlib
 import queue
 import sys
 import time
@@ -19,66 +19,12 @@ from .work import Workplace
 try:
     import cloudpickle
     import distributed
+
+    from . import dask_plant
+    from .dask_plant import NAME, Plant
 except ImportError:
     text = f"this needs distributed, which {sys.executable} does not have: install it: apt install python3-distributed"
     raise BatchError([error("batch-lacks-package", text)], USAGE) from None
-
-NAME = "fourpost-batch"
-LEAVING = "leaving"
-
-
-class Plant(distributed.WorkerPlugin):  # type: ignore[misc]
-    """A workplace on a Dask worker."""
-
-    name = NAME
-
-    def __init__(self, of: tuple[str, str, str, str], files: Mapping[str, bytes] | None):
-        self.of, self.files = of, files
-
-    def setup(self, worker: Any) -> None:
-        self.worker = worker
-        self.place = Workplace(*self.of, self.files)
-        self.place.worker = worker.address
-        self.trouble: Trouble | None = None
-        try:
-            self.place.check()
-        except Trouble as trouble:
-            self._leave(Trouble(trouble.kind, trouble.text, worker.address))
-
-    def teardown(self, worker: Any) -> None:
-        self.place.close()
-
-    def run(self, unit: dict[str, Any], fit: dict[str, Any] | None) -> Outcome:
-        if self.trouble is None:
-            try:
-                return self.place.run(Unit.of(unit), fit)
-            except Trouble as trouble:
-                if trouble.kind in LEAVES:
-                    self._leave(trouble)
-                raise
-        # Units that it was given meanwhile go elsewhere when it is gone.
-        time.sleep(5)
-        raise self.trouble
-
-    def _leave(self, trouble: Trouble) -> None:
-        if self.trouble is None:
-            self.trouble = trouble
-            self.worker.log_event(NAME, {"kind": trouble.kind, "text": trouble.text, "worker": trouble.worker})
-            self.worker.loop.add_callback(self.worker.loop.call_later, 0.5, self._close)
-
-    def _close(self) -> None:
-        self.worker.loop.add_callback(self.worker.close, nanny=True, executor_wait=False)
-
-
-def _work(unit: dict[str, Any], fit: dict[str, Any] | None) -> Outcome:
-    for _ in range(600):
-        plant = distributed.get_worker().plugins.get(NAME)
-        if plant is not None and hasattr(plant, "trouble"):
-            return plant.run(unit, fit)  # type: ignore[no-any-return]
-        # A worker that joins may get a unit before it is set up.
-        time.sleep(0.1)
-    raise Trouble("failed", "the worker was not set up")
-
 
 class DaskCrew:
     """address: of the scheduler, tcp://HOST:PORT, or its scheduler file."""
@@ -93,10 +39,9 @@ class DaskCrew:
         if not address.startswith("tcp://") and not address.startswith("tls://"):
             options = {"scheduler_file": address}
             self._check_file(address)
-        for module in [name for name in sys.modules if name.split(".")[0] == __package__]:
-            cloudpickle.register_pickle_by_value(sys.modules[module])
+        cloudpickle.register_pickle_by_value(dask_plant)
         try:
-            self._client = distributed.Client(timeout=10, set_as_default=False, **options)
+            self._client = distributed.Client(timeout=5, set_as_default=False, **options)
         except (OSError, TimeoutError) as fault:
             raise self._away(str(fault)) from None
         self._answers: queue.SimpleQueue[tuple[str, Any]] = queue.SimpleQueue()
@@ -107,9 +52,11 @@ class DaskCrew:
         self._alone_since: float | None = None
         self._refused: list[Finding] = []
         self._client.subscribe_topic(NAME, lambda event: self._events.put(event[1]))
-        plant = Plant((self.store, workplace.store.id, workplace.build, workplace.hint), files)
-        # That of an earlier batch would stay.
-        self._client.unregister_worker_plugin(NAME) if self._is_registered() else None
+        sources = {path.name: path.read_text() for path in sorted(pathlib.Path(__file__).parent.glob("*.py"))}
+        plant = Plant(sources, (self.store, workplace.store.id, workplace.build, workplace.hint), files)
+        if self._is_registered():
+            # That of an earlier batch would stay.
+            self._client.unregister_worker_plugin(NAME)
         self._client.register_worker_plugin(plant, NAME)
 
     @property
@@ -138,7 +85,7 @@ class DaskCrew:
         self._sent += len(units)
         # Workers that see the store find it there.
         fits = [fit if self._ships else None for _, fit in units]
-        futures = self._client.map(_work, [unit.to_dict() for unit, _ in units], fits, key=names, pure=False,
+        futures = self._client.map(dask_plant.work, [unit.to_dict() for unit, _ in units], fits, key=names, pure=False,
                                    batch_size=1000)
         for (unit, _), future in zip(units, futures):
             self._futures[unit.key] = future
@@ -158,12 +105,10 @@ class DaskCrew:
 
     def _answer_of(self, future: Any) -> Outcome | Trouble:
         if future.status == "finished":
-            outcome: Outcome = future.result(timeout=30)
-            return outcome
+            answer = future.result(timeout=30)
+            return Trouble(*answer) if len(answer) == 3 else answer
         if future.status == "error":
             fault = future.exception(timeout=30)
-            if isinstance(fault, Trouble):
-                return fault
             if isinstance(fault, distributed.scheduler.KilledWorker):
                 return Trouble("lost", "several of its workers died")
             return Trouble("failed", f"{type(fault).__name__}: {fault}")
@@ -183,7 +128,7 @@ class DaskCrew:
             return
         self._alone_since = self._alone_since or time.monotonic()
         self.warnings_so_far()
-        patience = min(self.patience, 10) if self._refused else self.patience
+        patience = min(self.patience, 2) if self._refused else self.patience
         if time.monotonic() - self._alone_since > patience:
             why = "".join(f"; {finding.text}" for finding in self._refused[:3])
             text = f"no worker of {self.address} takes units{why}: start workers of this build of fourpost and run the batch again"
@@ -192,8 +137,8 @@ class DaskCrew:
     def warnings_so_far(self) -> list[Finding]:
         while not self._events.empty():
             event = self._events.get()
-            if isinstance(event, dict) and event.get("kind") in LEAVES:
-                trouble = Trouble(event["kind"], event["text"], event["worker"])
+            if isinstance(event, (list, tuple)) and len(event) == 3 and event[0] in LEAVES:
+                trouble = Trouble(*event)
                 self._refused.append(finding_of(trouble, self.build, self.store))
         return self._refused
 

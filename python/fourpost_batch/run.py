@@ -65,7 +65,7 @@ class _Run:
         self.asked: set[str] = set()
 
     def run(self) -> Tally:
-        there = {key for key in self.units if self.store.has(key)}
+        there = {key: result["code"] for key in self.units if (result := self.store.get(key))}
         self.tally.found = len(there)
         ready = []
         for key, unit in self.units.items():
@@ -73,7 +73,7 @@ class _Run:
                 continue
             if unit.after and unit.after not in there:
                 self.waiting[unit.after].append(key)
-            else:
+            elif not unit.after or there[unit.after] < 2:
                 ready.append(key)
         self._send(ready)
         while self.asked:
