@@ -142,7 +142,7 @@ def main(words: list[str]) -> int:
     if store.damaged:
         tally.warnings.append(warning("batch-result-damaged", f"{store.damaged} results were altered on disk and are "
                                       "computed again: check the disk if that was nobody's intention"))
-        line.tell(tally.warnings[-1])
+    line.tell_warnings(tally)
     findings = _findings(found, tally)
     for finding in findings[:20]:
         print(finding, file=sys.stderr)

@@ -14,9 +14,7 @@ class ProgressLine:
         self._is_terminal = sys.stderr.isatty()
 
     def __call__(self, tally: Tally, left: int) -> None:
-        for finding in tally.warnings[self._told:]:
-            self.tell(finding)
-        self._told = len(tally.warnings)
+        self.tell_warnings(tally)
         now = time.monotonic()
         if now - self._last < (0.2 if self._is_terminal else 10):
             return
@@ -27,6 +25,12 @@ class ProgressLine:
         print(f"\r\x1b[K{text}" if self._is_terminal else text, end="" if self._is_terminal else "\n", file=sys.stderr,
               flush=True)
         self._shown = self._is_terminal
+
+    def tell_warnings(self, tally: Tally) -> None:
+        """Those that came since the last call."""
+        for finding in tally.warnings[self._told:]:
+            self.tell(finding)
+        self._told = len(tally.warnings)
 
     def tell(self, finding: Finding) -> None:
         self.end()

@@ -3,6 +3,8 @@
 twice, and the efficiency. See README.md.
 
   demonstration.py PROGRAM --of efficiency,equal,kills > dask.csv
+  slurm_here 8 demonstration.py PROGRAM --on slurm > slurm.csv
+  slurm_here 8 demonstration.py PROGRAM --on srun --of equal > srun.csv
 """
 import argparse
 import csv
@@ -10,6 +12,7 @@ import os
 import pathlib
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -61,11 +64,10 @@ def accounts(journal):
 
 def cluster_of(folder, workers, program):
     """Workers write into the journal of the folder."""
-    os.environ["FOURPOST_BATCH_JOURNAL"] = str(folder / "journal")
     (folder / "journal").write_text("")
     cluster = Cluster(folder)
     for _ in range(workers):
-        cluster.worker(FOURPOST_PROGRAM=str(program))
+        cluster.worker(FOURPOST_PROGRAM=str(program), FOURPOST_BATCH_JOURNAL=str(folder / "journal"))
     end = time.monotonic() + 120
     while sum("Registered to" in path.read_text() for path in folder.glob("log*")) < workers and time.monotonic() < end:
         time.sleep(0.1)
@@ -87,17 +89,66 @@ def on_dask(trial, workers, output, meanwhile=lambda cluster: None, tries=10):
         return *accounts(folder / "journal"), seconds, trial.content(output) == trial.content("serial")
 
 
+def on_slurm(trial, workers, output, meanwhile=lambda cluster: None, tries=10):
+    """The same of arrays of so many tasks; of srun and mpirun of workers that these start."""
+    journal = trial.folder / f"journal_{output}"
+    environment = {**os.environ, "PYTHONPATH": str(SOURCE / "python"), "FOURPOST_BATCH_JOURNAL": str(journal)}
+    other = threading.Thread(target=meanwhile, args=(None,), daemon=True)
+    other.start()
+    begin = time.monotonic()
+    if ON == "slurm":
+        trial.run(output, "--on=slurm", f"--workers={workers}", f"--tries={tries}", environment=environment)
+    else:
+        launcher = ["srun"] if ON == "srun" else ["mpirun", "--allow-run-as-root", "--oversubscribe"]
+        subprocess.run([*launcher, "-n", str(workers), trial.program, "batch", "--plan=plan.yaml" if trial.program == STUB
+                        else "plan.yaml", f"--output={output}", "--on=launcher"], cwd=trial.folder, env=environment,
+                       check=True, stdout=subprocess.DEVNULL)
+    seconds = time.monotonic() - begin
+    other.join()
+    return *accounts(journal), seconds, trial.content(output) == trial.content("serial")
+
+
+ON = "dask"
+
+
+def on_place(*arguments):
+    return (on_dask if ON == "dask" else on_slurm)(*arguments)
+
+
+def kill_tasks(draw):
+    """SIGKILL for half of the tasks of arrays that run."""
+    tasks = []
+    for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            words = path.read_text().split("\0")
+        except OSError:
+            continue
+        if "fourpost_batch" in words and any(word.startswith("--task=") or word == "--task" for word in words):
+            tasks.append(int(path.parent.name))
+    killed = 0
+    for task in draw.sample(tasks, (len(tasks) + 1) // 2):
+        try:
+            os.kill(task, signal.SIGKILL)
+            killed += 1
+        except ProcessLookupError:
+            pass
+    return killed
+
+
 def killer(rounds, output):
     """Kills half of the workers `rounds` times, at random moments while units are missing."""
     draw, killed = random.Random(1), []
 
     def kill(cluster):
-        nannies = cluster.processes[1:]
+        nannies = cluster.processes[1:] if cluster else []
         while not list(output.glob("units/*/*")):
             time.sleep(0.1)
         while len(killed) < rounds and not (output / "results.csv").exists():
             time.sleep(draw.uniform(0.5, 2.5))
-            killed.append(sum(cluster.kill_worker(nanny) for nanny in draw.sample(nannies, len(nannies) // 2)))
+            count = sum(cluster.kill_worker(nanny) for nanny in draw.sample(nannies, len(nannies) // 2)) if cluster else (
+                kill_tasks(draw))
+            if count:
+                killed.append(count)
     return kill, killed
 
 
@@ -109,7 +160,10 @@ def main():
     arguments.add_argument("--delays", default="0.05,0.2")
     arguments.add_argument("--fits", type=int, default=60)
     arguments.add_argument("--rounds", type=int, default=20)
+    arguments.add_argument("--on", choices=["dask", "slurm", "srun", "mpirun"], default="dask")
     options = arguments.parse_args()
+    global ON
+    ON = options.on
     out = csv.writer(sys.stdout, lineterminator="\n")
     print("# " + " ".join(["tests/batch/demonstration.py", "PROGRAM", *sys.argv[2:]]))
     out.writerow(["of", "workers", "unit_s", "units", "span_s", "whole_s", "efficiency", "kills", "begun", "paid", "twice",
@@ -137,7 +191,7 @@ def efficiency(out, delay, workers):
             unit = span / paid
             trial = Trial(pathlib.Path(temporary), STUB, WAITS % units, delay)
             trial.run("serial", "--workers=16")
-            paid, twice, begun, span, seconds, equal = on_dask(trial, count, f"on{count}")
+            paid, twice, begun, span, seconds, equal = on_place(trial, count, f"on{count}")
             out.writerow(["wait", count, f"{unit:.4f}", units, f"{span:.2f}", f"{seconds:.2f}",
                           f"{units * unit / count / span:.3f}", 0, begun, paid, twice, int(equal)])
             sys.stdout.flush()
@@ -152,7 +206,7 @@ def fits(out, part, options, workers):
         for count in workers if part == "equal" else workers[-1:]:
             kill, killed = killer(options.rounds, trial.folder / f"on{count}") if part == "kills" else (
                 lambda cluster: None, [])
-            paid, twice, begun, span, seconds, equal = on_dask(trial, count, f"on{count}", kill, 100)
+            paid, twice, begun, span, seconds, equal = on_place(trial, count, f"on{count}", kill, 100)
             out.writerow([part, count, f"{serial / units:.4f}", units, f"{span:.2f}", f"{seconds:.2f}",
                           f"{serial / count / span:.3f}", f"{len(killed)} x half: {sum(killed)}" if killed else 0, begun,
                           paid, twice, int(equal)])
