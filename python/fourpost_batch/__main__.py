@@ -5,10 +5,11 @@ import argparse
 import json
 import os
 import sys
-from typing import Any
+from typing import Any, Callable
 
 from .errors import CANNOT_WRITE, INTERRUPTED, NOT_DONE, USAGE, BatchError, Finding, error, warning
 from .expand import Expanded, expand
+from .page import ProgressPage
 from .plan import read_plan
 from .program import Program
 from .progress import ProgressLine
@@ -42,10 +43,11 @@ def _check_place(on: str) -> None:
         raise BatchError([Finding("batch-place-unknown", "error", text, "--on")], USAGE)
 
 
-def _dask(options: argparse.Namespace, workplace: Workplace, files: dict[str, bytes] | None, line: ProgressLine) -> Any:
+def _dask(options: argparse.Namespace, workplace: Workplace, files: dict[str, bytes] | None, page: ProgressPage) -> Any:
     from .dask_crew import DaskCrew
     place = options.on.removeprefix("dask:")
     crew = DaskCrew("tcp:" + place if place.startswith("//") else place, workplace, files)
+    page.link = crew.dashboard
     print(f"dashboard: {crew.dashboard}", file=sys.stderr)
     return crew
 
@@ -59,17 +61,30 @@ def _run(options: argparse.Namespace, expanded: Expanded, store: Store, line: Pr
     if options.on == "launcher":
         from .launcher import run_launched
         return run_launched(units, workplace, options.tries, line)
+    page = ProgressPage(store, line.total, options.on)
+
+    def progress(tally: Tally, left: int) -> None:
+        line(tally, left)
+        page(tally, left)
+    tally = _run_here_or_there(options, expanded, workplace, page, progress)
+    page.write(tally, line.total - tally.found - tally.paid, is_over=True)
+    return tally, True
+
+
+def _run_here_or_there(options: argparse.Namespace, expanded: Expanded, workplace: Workplace, page: ProgressPage,
+                       progress: Callable[[Tally, int], None]) -> Tally:
     if options.on == "slurm":
         from .slurm import Slurm
-        return Slurm(workplace, options.slurm, options.workers).run(units, options.tries, line), True
+        return Slurm(workplace, options.slurm, options.workers).run(expanded.units, options.tries, progress)
     if options.on == "local":
         from .local import LocalCrew
         crew: Any = LocalCrew(workplace, options.workers)
     else:
-        files = {digest: store.file(digest).read_bytes() for digest in expanded.sources} if options.ship else None
-        crew = _dask(options, workplace, files, line)
+        store, digests = workplace.store, expanded.sources if options.ship else {}
+        shipped = {digest: store.file(digest).read_bytes() for digest in digests}
+        crew = _dask(options, workplace, shipped or None, page)
     try:
-        return run(units, store, crew, tries=options.tries, progress=line), True
+        return run(expanded.units, workplace.store, crew, tries=options.tries, progress=progress)
     finally:
         crew.close()
 

@@ -17,7 +17,7 @@ import distributed
 NAME = "fourpost-batch"
 
 
-class Plant(distributed.WorkerPlugin):  # type: ignore[misc]
+class Plant(distributed.WorkerPlugin):  # type: ignore[misc, unused-ignore]
     """A workplace on a Dask worker. One that can do none of the units says why, and leaves."""
 
     name = NAME
@@ -26,7 +26,8 @@ class Plant(distributed.WorkerPlugin):  # type: ignore[misc]
         self.sources, self.of, self.files = sources, of, files
 
     def setup(self, worker: Any) -> None:
-        self.worker, self.trouble = worker, None
+        self.worker = worker
+        self.trouble: tuple[str, ...] | None = None
         try:
             self.unpack(worker)
         except OSError as fault:
@@ -64,9 +65,9 @@ class Plant(distributed.WorkerPlugin):  # type: ignore[misc]
                 self.leave(answer)
         # What it was given meanwhile goes elsewhere when it is gone.
         time.sleep(5)
-        return self.trouble  # type: ignore[no-any-return]
+        return self.trouble or ()
 
-    def leave(self, trouble: tuple[str, str, str]) -> None:
+    def leave(self, trouble: tuple[str, ...]) -> None:
         if self.trouble is None:
             self.trouble = trouble
             self.worker.loop.add_callback(self.worker.loop.call_later, 0.1, self.say_why)
@@ -85,9 +86,9 @@ class Plant(distributed.WorkerPlugin):  # type: ignore[misc]
 
 def work(unit: dict[str, Any], fit: dict[str, Any] | None) -> tuple[Any, ...]:
     for _ in range(600):
-        plant = distributed.get_worker().plugins.get("fourpost-batch")
+        plant: Any = distributed.get_worker().plugins.get("fourpost-batch")
         if plant is not None and hasattr(plant, "place"):
-            return plant.run(unit, fit)  # type: ignore[no-any-return]
+            return tuple(plant.run(unit, fit))
         # A worker that joins may get a unit before it is set up.
         time.sleep(0.1)
     return ("failed", "the worker was not set up", "")

@@ -11,7 +11,7 @@ from typing import Any, Callable
 
 from .errors import USAGE, BatchError, Finding, did_you_mean, error
 
-DEFAULT_KEEP = ("result.json", "vehicle.urdf", "study.yaml", "parameters.csv")
+DEFAULT_KEEP: tuple[str, ...] = ("result.json", "vehicle.urdf", "study.yaml", "parameters.csv")
 MOST = 1_000_000
 """Numbers in one range."""
 
@@ -53,9 +53,11 @@ class _Reader:
     def refuse(self, node: Any, id: str, text: str) -> None:
         self.findings.append(error(id, text, self.shown, node.start_mark.line + 1))
 
-    def wrong(self, node: Any, key: str, remedy: str) -> None:
+    def wrong(self, node: Any, key: str, remedy: str) -> Any:
+        """Nothing, and reported."""
         shown = str(node.value) if isinstance(node.value, str) else f"a {node.id}"
         self.refuse(node, "batch-value-wrong", f"'{key}' cannot be '{shown[:80]}': {remedy}")
+        return None
 
     # Each reads the value of `key`; nothing, and reported, where that is none.
 

@@ -114,7 +114,7 @@ def _choices(found: list[State]) -> str:
 
 def _twins(found: list[State]) -> str:
     """What the scripts printed, one after the other; a first line that all have stands once."""
-    texts = [one.result["printed"] for one in found if one.unit.kind == "twin" and one.state == "done" and one.result]
+    texts: list[str] = [one.result["printed"] for one in found if one.unit.kind == "twin" and one.state == "done" and one.result]
     heads = {text.split("\n", 1)[0] for text in texts}
     if len(texts) < 2 or len(heads) > 1:
         return "".join(texts)
