@@ -17,7 +17,7 @@ import distributed
 NAME = "fourpost-batch"
 
 
-class Plant(distributed.WorkerPlugin):  # type: ignore[misc, unused-ignore]
+class Plant(distributed.WorkerPlugin):
     """A workplace on a Dask worker. One that can do none of the units says why, and leaves."""
 
     name = NAME

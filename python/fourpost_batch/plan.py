@@ -53,18 +53,17 @@ class _Reader:
     def refuse(self, node: Any, id: str, text: str) -> None:
         self.findings.append(error(id, text, self.shown, node.start_mark.line + 1))
 
-    def wrong(self, node: Any, key: str, remedy: str) -> Any:
-        """Nothing, and reported."""
+    def wrong(self, node: Any, key: str, remedy: str) -> None:
         shown = str(node.value) if isinstance(node.value, str) else f"a {node.id}"
         self.refuse(node, "batch-value-wrong", f"'{key}' cannot be '{shown[:80]}': {remedy}")
-        return None
 
     # Each reads the value of `key`; nothing, and reported, where that is none.
 
     def text(self, node: Any, key: str) -> str | None:
         if node.id == "scalar" and node.value.strip() and not node.tag.endswith(":null"):
             return str(node.value)
-        return self.wrong(node, key, "write a word or a number")
+        self.wrong(node, key, "write a word or a number")
+        return None
 
     def texts(self, node: Any, key: str) -> list[str]:
         items = node.value if node.id == "sequence" else [node]
@@ -73,12 +72,14 @@ class _Reader:
     def flag(self, node: Any, key: str) -> bool | None:
         if node.tag.endswith(":bool"):
             return bool(node.value.lower() in ("true", "yes", "on"))
-        return self.wrong(node, key, "write true or false")
+        self.wrong(node, key, "write true or false")
+        return None
 
     def whole(self, node: Any, key: str) -> int | None:
         if node.id == "scalar" and re.fullmatch(r"\d{1,15}", node.value) and int(node.value) > 0:
             return int(node.value)
-        return self.wrong(node, key, "write a whole number above 0")
+        self.wrong(node, key, "write a whole number above 0")
+        return None
 
     def numbers(self, node: Any, key: str) -> list[int] | None:
         """Of "1..20", of 7, or of a list of such."""
@@ -87,10 +88,12 @@ class _Reader:
             ends = re.fullmatch(r"(\d{1,18})(?:\.\.(\d{1,18}))?", item.value) if item.id == "scalar" else None
             first, last = (int(ends[1]), int(ends[2] or ends[1])) if ends else (1, 0)
             if last < first or last - first >= MOST:
-                return self.wrong(item, key, "write whole numbers, as 1..20, 7 or [1, 2, 5]")
+                self.wrong(item, key, "write whole numbers, as 1..20, 7 or [1, 2, 5]")
+                return None
             found += range(first, last + 1)
         if len(set(found)) < len(found):
-            return self.wrong(node, key, "name each number once")
+            self.wrong(node, key, "name each number once")
+            return None
         return found
 
     def files(self, node: Any, key: str) -> list[pathlib.Path]:
@@ -113,7 +116,8 @@ class _Reader:
     def settings(self, node: Any, key: str) -> dict[str, str] | None:
         """Values of parameters: {k: 20 kN/m}."""
         if node.id != "mapping":
-            return self.wrong(node, key, "write parameters with their values, as {k: 20 kN/m}")
+            self.wrong(node, key, "write parameters with their values, as {k: 20 kN/m}")
+            return None
         pairs = {name.value: self.text(value, name.value) for name, value in node.value}
         return {name: value for name, value in pairs.items() if value is not None}
 
@@ -136,7 +140,8 @@ NEEDED = {"fits": ["study"], "predictions": ["recordings"], "choices": ["setting
 
 def _entry(reader: _Reader, section: str, node: Any) -> Entry | None:
     if node.id != "mapping":
-        return reader.wrong(node, section, "write a list of entries, each with keys")
+        reader.wrong(node, section, "write a list of entries, each with keys")
+        return None
     values: dict[str, Any] = {}
     for name, value in node.value:
         known = KEYS[section]

@@ -18,6 +18,9 @@ from .work import Workplace
 
 MOST_TASKS = 1000
 """Of an array: Slurm's MaxArraySize is 1001 unless its administrator changed it."""
+ASK_EVERY_S = 2
+PATIENCE_S = 30
+"""Tasks work on while the controller is away for so long."""
 Progress = Callable[[Tally, int], None]
 
 
@@ -116,27 +119,41 @@ class Slurm:
                           f"program={shlex.quote(self.workplace.hint)}\n"
                           '[ -x "$program" ] || program=fourpost\n'
                           f'exec "$program" batch --task {shlex.quote(str(task_file))}\n')
-        command = ["sbatch", "--parsable", "--wait", "--requeue", f"--array=0-{shares - 1}", "--job-name=fourpost",
+        command = ["sbatch", "--parsable", "--requeue", f"--array=0-{shares - 1}", "--job-name=fourpost",
                    f"--output={self.folder}/{name}-%a.out", *self.options, str(script)]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        outcome = subprocess.run(command, capture_output=True, text=True)
+        if outcome.returncode != 0:
+            raise self._away(outcome.stderr)
+        job = outcome.stdout.strip().split(";")[0]
         try:
-            self._wait(process, units, tally, progress)
-        except KeyboardInterrupt:
-            self._cancel(process)
+            self._wait(job, {unit.key for unit in units}, tally, progress)
+        except BaseException:
+            subprocess.run(["scancel", job], capture_output=True)
             raise
-        printed, said = process.communicate()
-        # sbatch ends with the code of the worst task; it prints a number once the array was accepted.
-        if not printed.strip() or "ontroller" in said:
-            text = (f"the scheduler Slurm does not answer: {' '.join(said.split()) or 'sbatch said nothing'}: start it "
-                    "and run the batch again; results so far are kept")
-            raise BatchError([error("batch-scheduler-away", text)], NOT_DONE)
         return self._troubles(task_file, tally)
 
-    def _wait(self, process: subprocess.Popen[str], units: list[Unit], tally: Tally, progress: Progress) -> None:
-        left = {unit.key for unit in units}
-        while process.poll() is None:
+    @staticmethod
+    def _away(said: str) -> BatchError:
+        text = (f"the scheduler Slurm does not answer: {' '.join(said.split()) or 'it said nothing'}: start it and run "
+                "the batch again; results so far are kept")
+        return BatchError([error("batch-scheduler-away", text)], NOT_DONE)
+
+    def _wait(self, job: str, left: set[str], tally: Tally, progress: Progress) -> None:
+        """Until all have results, or the array has ended."""
+        asked = answered = time.monotonic()
+        while left:
+            time.sleep(0.2)
             self._count(left, tally, progress)
-            time.sleep(0.5)
+            if time.monotonic() - asked < ASK_EVERY_S:
+                continue
+            outcome = subprocess.run(["squeue", "--noheader", f"--jobs={job}"], capture_output=True, text=True)
+            asked = time.monotonic()
+            if outcome.returncode == 0 or "Invalid job id" in outcome.stderr:
+                answered = asked
+                if not outcome.stdout.strip():
+                    break
+            elif asked - answered > PATIENCE_S:
+                raise self._away(outcome.stderr)
         self._count(left, tally, progress)
 
     def _count(self, left: set[str], tally: Tally, progress: Progress) -> None:
@@ -144,10 +161,6 @@ class Slurm:
         left -= came
         tally.paid += len(came)
         progress(tally, len(left))
-
-    def _cancel(self, process: subprocess.Popen[str]) -> None:
-        process.kill()
-        subprocess.run(["scancel", "--name=fourpost", f"--user={os.getuid()}"], capture_output=True)
 
     def _troubles(self, task_file: pathlib.Path, tally: Tally) -> dict[str, Trouble]:
         found = {}

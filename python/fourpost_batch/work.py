@@ -174,7 +174,8 @@ class Workplace:
                 "messages": [line for line in messages if FINDING.search(line)]}
 
     def _judge(self, unit: Unit, code: int, messages: list[str]) -> None:
-        last = messages[-1] if messages else "it said nothing"
+        said = [line.strip() for line in messages if line.strip()]
+        last = " / ".join(said[-3:])[-500:] if said else "it said nothing"
         if code < 0:
             raise Trouble("lost", f"its process was ended by {signal.Signals(-code).name}", self.worker)
         if code == 5:

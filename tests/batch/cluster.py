@@ -1,5 +1,6 @@
 """A Dask scheduler and its workers on this machine, as processes of their own."""
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -42,16 +43,30 @@ class Cluster:
             process.wait()
 
     @staticmethod
-    def kill_worker(nanny):
-        """SIGKILL for the process that works; its nanny starts another one. Whether there was one."""
-        try:
-            with open(f"/proc/{nanny.pid}/task/{nanny.pid}/children") as stream:
-                children = stream.read().split()
-        except OSError:
-            return False
-        for child in children:
+    def working(nanny):
+        """Numbers of the processes that a nanny has started to work: one, or none for a moment."""
+        found = []
+        for path in pathlib.Path(f"/proc/{nanny.pid}/task").glob("*/children"):
             try:
-                os.kill(int(child), signal.SIGKILL)
+                found += [int(word) for word in path.read_text().split()]
+            except OSError:
+                pass
+        return [pid for pid in found if "spawn_main" in command_of(pid)]
+
+    @classmethod
+    def kill_worker(cls, nanny):
+        """SIGKILL for the process that works; its nanny starts another one. Whether there was one."""
+        working = cls.working(nanny)
+        for pid in working:
+            try:
+                os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
-        return bool(children)
+        return bool(working)
+
+
+def command_of(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/cmdline").read_text()
+    except OSError:
+        return ""

@@ -26,10 +26,6 @@ def seconds_of(pid):
     return sum(map(int, fields[11:13])) / ticks, sum(map(int, fields[13:15])) / ticks
 
 
-def children_of(pid):
-    return [int(word) for word in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
-
-
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("--units", type=int, default=2000)
@@ -44,7 +40,7 @@ def main():
         cluster = cluster_of(folder / "cluster", 2, STUB)
         try:
             scheduler = cluster.processes[0].pid
-            workers = [child for nanny in cluster.processes[1:] for child in children_of(nanny.pid)]
+            workers = [child for nanny in cluster.processes[1:] for child in cluster.working(nanny)]
             begin = {pid: seconds_of(pid) for pid in [scheduler, *workers]}
             before = sum(os.times()[2:4])
             trial.run("out", f"--on=dask:{cluster.file}")

@@ -50,7 +50,8 @@ def test_a_worker_of_another_build_is_refused_and_one_that_is_killed_is_replaced
     killed = cluster.kill_worker(cluster.processes[1])
     printed, said = batch_run.communicate(timeout=100)
     assert batch_run.returncode == 0, said
-    assert killed and "120 done" in printed
+    assert killed and "was killed by signal 9" in (cluster.folder / "log1").read_text()
+    assert "120 done" in printed
     assert "[batch-worker-of-other-build]" in said and str(other) in said
     assert content(batch.folder / "out") == serial(batch)
 
