@@ -3,8 +3,8 @@
 namespace fourpost {
 
 void AddOptions(CLI::App& subcommand, BatchCommand& command) {
-  CLI::Option* plan =
-      subcommand.add_option("PLAN", command.plan, "Plan of fits, predictions, twins, comparisons and choices (.yaml)");
+  CLI::Option* plan = subcommand.add_option("PLAN", command.plan,
+                                            "Plan of fits, predictions, coverage, comparisons and choices (.yaml)");
   CLI::Option* output = subcommand.add_option("-o,--output", command.output,
                                               "Folder for results; what it holds already is not computed again");
   subcommand

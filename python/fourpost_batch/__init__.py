@@ -1,4 +1,4 @@
-"""Many fits, predictions, twins, comparisons and choices, here or on many machines; docs/batch.md is a guide.
+"""Many fits, predictions, coverage, comparisons and choices, here or on many machines; docs/batch.md is a guide.
 
 A plan is expanded into units. A unit is a pure function of its inputs: the bytes of its files, its options and the
 build of the program. Its key is the hash of these, its result is bytes under that key in a `Store`, whoever computed

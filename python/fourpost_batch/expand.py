@@ -50,7 +50,7 @@ class _Expansion:
     def run(self) -> Expanded:
         self._look_at_studies()
         for section, add in (("fits", self._fit), ("predictions", self._prediction), ("choices", self._choice),
-                             ("comparisons", self._comparison), ("twins", self._twin)):
+                             ("comparisons", self._comparison), ("coverage", self._coverage)):
             for entry in self.plan.of(section):
                 add(entry)
         if self.findings:
@@ -137,12 +137,12 @@ class _Expansion:
                           ["compare", study.name, "--threads=1", "--json", f"--seed={seed}", *options],
                           _relative(self.inputs[study], study.parent))
 
-    def _twin(self, entry: Entry) -> None:
+    def _coverage(self, entry: Entry) -> None:
         for script in entry["script"]:
             files = _relative([script, *(entry.get("files") or [])], script.parent)
             for number in entry["numbers"]:
                 words = [word.replace("{number}", str(number)) for word in entry["arguments"]]
-                self._add(entry, f"{self._name(entry, script)}/{number}", "twin", [script.name, *words], files,
+                self._add(entry, f"{self._name(entry, script)}/{number}", "coverage", [script.name, *words], files,
                           first="{python}")
 
     # Units.

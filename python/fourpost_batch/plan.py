@@ -131,11 +131,11 @@ KEYS: dict[str, dict[str, Callable[[_Reader, Any, str], Any]]] = {
     "choices": {**_RUN, "vehicle": R.files, "settings": R.files, "checks": R.flag},
     "comparisons": {"study": R.files, "name": R.text, "methods": R.texts, "runs": R.whole, "seeds": R.numbers,
                     "evaluations": R.whole, "near": R.text},
-    "twins": {"script": R.files, "name": R.text, "files": R.files, "arguments": R.texts, "numbers": R.numbers},
+    "coverage": {"script": R.files, "name": R.text, "files": R.files, "arguments": R.texts, "numbers": R.numbers},
 }
 """Sections of a plan, and how each key of theirs is read."""
 NEEDED = {"fits": ["study"], "predictions": ["recordings"], "choices": ["settings"], "comparisons": ["study"],
-          "twins": ["script", "arguments", "numbers"]}
+          "coverage": ["script", "arguments", "numbers"]}
 
 
 def _entry(reader: _Reader, section: str, node: Any) -> Entry | None:

@@ -46,7 +46,7 @@ def write_tables(found: list[State], store: Store) -> None:
     tables = {"results": _csv(["unit", "kind", "state", "code", "key"],
                               [[s.unit.name, s.unit.kind, s.state, s.code, s.unit.key] for s in found]),
               "parameters": _parameters(found), "predictions": _predictions(found),
-              "comparisons": _comparisons(found), "choices": _choices(found), "twins": _twins(found)}
+              "comparisons": _comparisons(found), "choices": _choices(found), "coverage": _coverage(found)}
     for name, text in tables.items():
         if text:
             write_whole(store.folder / f"{name}.csv", text.encode("utf-8", "surrogateescape"))
@@ -61,7 +61,7 @@ def unpack(found: list[State], store: Store) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         files = dict(one.result["files"])
         if one.result["printed"]:
-            files["result.csv" if one.unit.kind == "twin" else "result.json"] = one.result["printed"]
+            files["result.csv" if one.unit.kind == "coverage" else "result.json"] = one.result["printed"]
         for name, text in files.items():
             write_whole(folder / os.path.basename(name), text.encode("utf-8", "surrogateescape"))
 
@@ -112,9 +112,9 @@ def _choices(found: list[State]) -> str:
     return _csv(["unit", "knob", "best"], rows)
 
 
-def _twins(found: list[State]) -> str:
+def _coverage(found: list[State]) -> str:
     """What the scripts printed, one after the other; a first line that all have stands once."""
-    texts: list[str] = [one.result["printed"] for one in found if one.unit.kind == "twin" and one.state == "done" and one.result]
+    texts: list[str] = [one.result["printed"] for one in found if one.unit.kind == "coverage" and one.state == "done" and one.result]
     heads = {text.split("\n", 1)[0] for text in texts}
     if len(texts) < 2 or len(heads) > 1:
         return "".join(texts)

@@ -24,7 +24,7 @@ class Unit:
     name: str
     """For readers; without influence on the key."""
     kind: str
-    """"fit", "prediction", "choice", "comparison" or "twin"."""
+    """"fit", "prediction", "choice", "comparison" or "coverage"."""
     command: tuple[str, ...]
     """"{program}" and "{python}" stand for those of the worker. Paths are relative to the folder."""
     inputs: tuple[tuple[str, str], ...]

@@ -183,5 +183,5 @@ class Workplace:
         if code == 71:
             raise Trouble("memory", last, self.worker)
         # A script may fail for any reason.
-        if code not in RESULT_CODES or (unit.kind == "twin" and code != 0):
+        if code not in RESULT_CODES or (unit.kind == "coverage" and code != 0):
             raise Trouble("failed", f"code {code}: {last}", self.worker)

@@ -175,14 +175,14 @@ def test_a_full_disk_ends_a_local_batch_and_keeps_what_is_there(batch, size):
         name: text for name, text in before.items() if name.startswith("units")}
 
 
-def test_twins_are_scripts_of_a_number(batch):
-    batch.write("twins.py", "import sys, helper\nprint('number,square')\nprint(f'{sys.argv[2]},{helper.square(int(sys.argv[2]))}')\n")
+def test_coverage_is_a_script_of_a_number(batch):
+    batch.write("cars.py", "import sys, helper\nprint('number,square')\nprint(f'{sys.argv[2]},{helper.square(int(sys.argv[2]))}')\n")
     batch.write("helper.py", "def square(x): return x * x\n")
-    batch.write("plan.yaml", "twins: [{script: twins.py, files: helper.py, arguments: ['{program}', '{number}'], "
+    batch.write("plan.yaml", "coverage: [{script: cars.py, files: helper.py, arguments: ['{program}', '{number}'], "
                              "numbers: 2..4}]")
     batch.run("--output=out", "--unpack")
-    assert (batch.folder / "out/twins.csv").read_text() == "number,square\n2,4\n3,9\n4,16\n"
-    assert (batch.folder / "out/runs/twins/3/result.csv").read_text() == "number,square\n3,9\n"
+    assert (batch.folder / "out/coverage.csv").read_text() == "number,square\n2,4\n3,9\n4,16\n"
+    assert (batch.folder / "out/runs/cars/3/result.csv").read_text() == "number,square\n3,9\n"
 
 
 def test_workers_of_a_launcher_share_the_units(batch):
