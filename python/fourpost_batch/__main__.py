@@ -48,7 +48,8 @@ def _dask(options: argparse.Namespace, workplace: Workplace, files: dict[str, by
     place = options.on.removeprefix("dask:")
     crew = DaskCrew("tcp:" + place if place.startswith("//") else place, workplace, files)
     page.link = crew.dashboard
-    print(f"dashboard: {crew.dashboard}", file=sys.stderr)
+    if page.link:
+        print(f"dashboard: {page.link}", file=sys.stderr)
     return crew
 
 
@@ -58,6 +59,7 @@ def _run(options: argparse.Namespace, expanded: Expanded, store: Store, line: Pr
         store.add_file(path, digest)
     units = expanded.units
     workplace = Workplace(str(store.folder), store.id, Program(options.program).build, options.program)
+    workplace.store = store
     if options.on == "launcher":
         from .launcher import run_launched
         return run_launched(units, workplace, options.tries, line)
@@ -117,8 +119,9 @@ def _findings(found: list[State], tally: Tally) -> list[Finding]:
     names = {one.unit.key: one.unit.name for one in found}
     for one in found:
         name = one.unit.name
-        if one.state == "failed" and one.result:
-            why = next((text for text in one.result["messages"] if "error: " in text), "it said nothing")
+        result = one.result if one.state == "failed" else None
+        if result:
+            why = next((text for text in result["messages"] if "error: " in text), "it said nothing")
             text = f"the unit '{name}' ended with code {one.code}: {why}: correct its input and run the batch again"
             findings.append(error("batch-unit-failed", text))
         elif one.state == "blocked":
@@ -155,7 +158,7 @@ def main(words: list[str]) -> int:
     if options.unpack:
         unpack(found, store)
     if store.damaged:
-        tally.warnings.append(warning("batch-result-damaged", f"{store.damaged} results were altered on disk and are "
+        tally.warnings.append(warning("batch-result-damaged", f"{len(store.damaged)} results were altered on disk and are "
                                       "computed again: check the disk if that was nobody's intention"))
     line.tell_warnings(tally)
     findings = _findings(found, tally)

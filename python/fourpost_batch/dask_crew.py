@@ -48,7 +48,7 @@ class DaskCrew:
         self._futures: dict[str, Any] = {}
         self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()
         self._sent = 0
-        self._ships = files is not None
+        self.carries = files is not None
         self._alone_since: float | None = None
         self._refused: list[Finding] = []
         self._client.subscribe_topic(NAME, lambda event: self._events.put(event[1]))
@@ -61,8 +61,9 @@ class DaskCrew:
 
     @property
     def dashboard(self) -> str:
-        """Where the scheduler shows its progress."""
-        return str(self._client.dashboard_link)
+        """Where the scheduler shows its progress; empty where it does not."""
+        services = self._client.scheduler_info().get("services", {})
+        return str(self._client.dashboard_link) if "dashboard" in services else ""
 
     def _is_registered(self) -> bool:
         names = self._client.run_on_scheduler(lambda dask_scheduler: list(dask_scheduler.worker_plugins))
@@ -83,9 +84,7 @@ class DaskCrew:
         # Names of Dask's own, as a key that was lost is asked for again.
         names = [f"{unit.kind}-{unit.key[:16]}-{self._sent + i}" for i, (unit, _) in enumerate(units)]
         self._sent += len(units)
-        # Workers that see the store find it there.
-        fits = [fit if self._ships else None for _, fit in units]
-        futures = self._client.map(dask_plant.work, [unit.to_dict() for unit, _ in units], fits, key=names, pure=False,
+        futures = self._client.map(dask_plant.work, [unit.to_dict() for unit, _ in units], [fit for _, fit in units], key=names, pure=False,
                                    batch_size=1000)
         for (unit, _), future in zip(units, futures):
             self._futures[unit.key] = future

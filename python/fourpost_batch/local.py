@@ -16,6 +16,7 @@ class LocalCrew:
     """A process that is killed loses its unit alone, which is tried again."""
 
     stops_at = ("disk", "build", "files", "program")
+    carries = False
 
     def __init__(self, workplace: Workplace, workers: int = 0):
         self.workplace = workplace

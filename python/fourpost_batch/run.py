@@ -18,9 +18,11 @@ class Crew(Protocol):
 
     stops_at: tuple[str, ...]
     """Kinds of trouble that no other worker would be spared."""
+    carries: bool
+    """Whether workers do not see the store, so that fits go to them with the units that need them."""
 
     def send(self, units: list[tuple[Unit, dict[str, Any] | None]]) -> None:
-        """Asks for results; each unit with the fit that it needs, where workers may not see the store."""
+        """Asks for results; each unit with the fit that it needs, where the crew carries it."""
 
     def receive(self) -> tuple[str, Outcome | Trouble]:
         """Waits for the next answer to a key. Raises BatchError when none can come."""
@@ -90,7 +92,10 @@ class _Run:
         self.asked.update(keys)
         units = [self.units[key] for key in keys]
         if units:
-            self.crew.send([(unit, self.store.get(unit.after) if unit.after else None) for unit in units])
+            self.crew.send([(unit, self._fit_for(unit)) for unit in units])
+
+    def _fit_for(self, unit: Unit) -> dict[str, Any] | None:
+        return self.store.get(unit.after) if unit.after and self.crew.carries else None
 
     def _take(self, key: str, how: str, text: bytes | None) -> None:
         if key not in self.asked:

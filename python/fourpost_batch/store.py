@@ -52,8 +52,8 @@ class Store:
 
     def __init__(self, folder: str | os.PathLike[str]):
         self.folder = pathlib.Path(folder).absolute()
-        self.damaged = 0
-        """Results found altered so far; they count as missing."""
+        self.damaged: set[str] = set()
+        """Keys of results found altered so far; they count as missing."""
 
     @staticmethod
     def make(folder: str | os.PathLike[str]) -> Store:
@@ -95,7 +95,8 @@ class Store:
         except FileNotFoundError:
             return None
         result = read_result(key, text)
-        self.damaged += result is None
+        if result is None:
+            self.damaged.add(key)
         return result
 
     def has(self, key: str) -> bool:
@@ -116,7 +117,7 @@ class Store:
     def add_file(self, path: str | os.PathLike[str], digest: str) -> None:
         """Keeps an input for workers. Raises OSError, and BatchError for a file that changes meanwhile."""
         target = self.file(digest)
-        if target.exists():
+        if target.exists() and target.stat().st_size == os.stat(path).st_size:
             return
         beside = target.parent / f".{os.getpid()}.{next(_count)}"
         try:

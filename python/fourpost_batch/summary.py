@@ -7,7 +7,7 @@ import json
 import os
 import pathlib
 from dataclasses import dataclass
-from typing import Any, Iterable
+from typing import Any, Iterable, Iterator
 
 from .store import Store, write_whole
 from .unit import Unit
@@ -20,24 +20,28 @@ class State:
     unit: Unit
     state: str
     """"done"; "failed": by its inputs; "blocked": the fit that it needs has failed; "missing": not run yet, or lost."""
-    result: dict[str, Any] | None
+    code: int | None
+    """Exit code, of one that has a result."""
+    store: Store | None
 
     @property
-    def code(self) -> int | None:
-        return self.result["code"] if self.result else None
+    def result(self) -> dict[str, Any] | None:
+        """Read anew: those of a large batch are more than memory holds."""
+        return self.store.get(self.unit.key) if self.store and self.code is not None else None
 
 
 def states(units: Iterable[Unit], store: Store | None) -> list[State]:
     """In the order of the units."""
     units, found = list(units), []
-    results = {unit.key: store.get(unit.key) if store else None for unit in units}
+    results = ((unit.key, store.get(unit.key) if store else None) for unit in units)
+    codes: dict[str, int] = {key: result["code"] for key, result in results if result}
     for unit in units:
-        result, fit = results[unit.key], results.get(unit.after)
-        if result is not None:
-            state = "done" if result["code"] < 2 else "failed"
+        code = codes.get(unit.key)
+        if code is not None:
+            state = "done" if code < 2 else "failed"
         else:
-            state = "blocked" if unit.after and fit is not None and fit["code"] >= 2 else "missing"
-        found.append(State(unit, state, result))
+            state = "blocked" if codes.get(unit.after, 0) >= 2 else "missing"
+        found.append(State(unit, state, code, store))
     return found
 
 
@@ -55,13 +59,14 @@ def write_tables(found: list[State], store: Store) -> None:
 def unpack(found: list[State], store: Store) -> None:
     """Files of results as `runs/NAME/...`, for reports and other programs. Raises OSError."""
     for one in found:
-        if one.result is None:
+        result = one.result
+        if result is None:
             continue
         folder = store.folder / "runs" / pathlib.PurePosixPath(one.unit.name)
         folder.mkdir(parents=True, exist_ok=True)
-        files = dict(one.result["files"])
-        if one.result["printed"]:
-            files["result.csv" if one.unit.kind == "coverage" else "result.json"] = one.result["printed"]
+        files = dict(result["files"])
+        if result["printed"]:
+            files["result.csv" if one.unit.kind == "coverage" else "result.json"] = result["printed"]
         for name, text in files.items():
             write_whole(folder / os.path.basename(name), text.encode("utf-8", "surrogateescape"))
 
@@ -74,14 +79,13 @@ def _csv(head: list[str], rows: list[list[Any]]) -> str:
     return text.getvalue() if rows else ""
 
 
-def _documents(found: list[State], kind: str) -> list[tuple[str, dict[str, Any]]]:
+def _documents(found: list[State], kind: str) -> Iterator[tuple[str, dict[str, Any]]]:
     """Results in JSON, by the name of their unit."""
-    documents = []
     for one in found:
-        if one.unit.kind == kind and one.state == "done" and one.result:
-            text = one.result["files"].get("result.json") if kind == "fit" else one.result["printed"]
-            documents.append((one.unit.name, json.loads(text) if text else {}))
-    return documents
+        result = one.result if one.unit.kind == kind and one.state == "done" else None
+        if result:
+            text = result["files"].get("result.json") if kind == "fit" else result["printed"]
+            yield one.unit.name, json.loads(text) if text else {}
 
 
 def _parameters(found: list[State]) -> str:
@@ -114,7 +118,8 @@ def _choices(found: list[State]) -> str:
 
 def _coverage(found: list[State]) -> str:
     """What the scripts printed, one after the other; a first line that all have stands once."""
-    texts: list[str] = [one.result["printed"] for one in found if one.unit.kind == "coverage" and one.state == "done" and one.result]
+    done = (one.result for one in found if one.unit.kind == "coverage" and one.state == "done")
+    texts: list[str] = [result["printed"] for result in done if result]
     heads = {text.split("\n", 1)[0] for text in texts}
     if len(texts) < 2 or len(heads) > 1:
         return "".join(texts)

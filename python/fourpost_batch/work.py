@@ -13,6 +13,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from typing import Any, Mapping
 
@@ -58,6 +59,7 @@ class Workplace:
         self.worker = f"{socket.gethostname()}:{os.getpid()}"
         self.journal = os.environ.get("FOURPOST_BATCH_JOURNAL")
         self._scratch: pathlib.Path | None = None
+        self._lock = threading.Lock()
         self._killer = [path, "--pdeathsig", "KILL", "--"] if (path := shutil.which("setpriv")) else []
 
     def check(self) -> None:
@@ -109,30 +111,39 @@ class Workplace:
                 stream.write(f"{time.time():.6f} {what} {key} {self.worker}\n")
 
     def _own_folder(self) -> pathlib.Path:
-        if self._scratch is None or not self._scratch.is_dir():
-            parent = pathlib.Path(tempfile.gettempdir())
-            _purge(parent)
-            self._scratch = pathlib.Path(tempfile.mkdtemp(prefix=f"{SCRATCH}{os.getpid()}-", dir=parent))
-            (self._scratch / "files").mkdir()
-            atexit.register(self.close)
-        return self._scratch
+        with self._lock:
+            if self._scratch is None or not self._scratch.is_dir():
+                parent = pathlib.Path(tempfile.gettempdir())
+                _purge(parent)
+                self._scratch = pathlib.Path(tempfile.mkdtemp(prefix=f"{SCRATCH}{os.getpid()}-", dir=parent))
+                (self._scratch / "files").mkdir()
+                atexit.register(self.close)
+            return self._scratch
 
     def _file(self, name: str, digest: str) -> pathlib.Path:
         """An input on this machine; it is brought here once."""
         here = self._own_folder() / "files" / digest
         if here.exists():
             return here
-        beside = pathlib.Path(tempfile.mkstemp(dir=here.parent)[1])
+        handle, beside = tempfile.mkstemp(dir=here.parent)
+        os.close(handle)
+        try:
+            self._bring(name, digest, pathlib.Path(beside))
+            os.replace(beside, here)
+        except BaseException:
+            os.unlink(beside)
+            raise
+        return here
+
+    def _bring(self, name: str, digest: str, target: pathlib.Path) -> None:
         if self.shipped is not None and digest in self.shipped:
-            beside.write_bytes(self.shipped[digest])
+            target.write_bytes(self.shipped[digest])
         elif self.sees_store and self.store.file(digest).exists():
-            shutil.copyfile(self.store.file(digest), beside)
-            if file_hash(beside) != digest:
+            shutil.copyfile(self.store.file(digest), target)
+            if file_hash(target) != digest:
                 raise Trouble("files", f"'{name}' was altered in {self.store.folder}/files", self.worker)
         else:
             raise Trouble("files", f"'{name}' ({digest[:12]})", self.worker)
-        os.replace(beside, here)
-        return here
 
     def _lay(self, unit: Unit, fit: dict[str, Any] | None, folder: pathlib.Path) -> pathlib.Path:
         """Puts the inputs in their places; returns the folder in which the unit runs, deep enough for '../'."""
@@ -143,7 +154,10 @@ class Workplace:
             target = pathlib.Path(os.path.normpath(place / name))
             target.parent.mkdir(parents=True, exist_ok=True)
             source = self._file(name, digest)
-            if not target.exists():
+            # A script may write into its files, the program does not.
+            if unit.kind == "coverage":
+                shutil.copyfile(source, target)
+            else:
                 os.link(source, target)
         if unit.after:
             fit = fit or self.store.get(unit.after)

@@ -146,7 +146,7 @@ def test_an_altered_result_is_computed_again(batch):
     before = content(batch.folder / "out")
     next(batch.folder.glob("out/units/*/*.json")).write_text("{}")
     outcome = batch.run("--output=out", "--json")
-    assert json.loads(outcome.stdout)["work"]["paid"] == 1 and "[batch-result-damaged]" in outcome.stderr
+    assert json.loads(outcome.stdout)["work"]["paid"] == 1 and "warning: 1 results were altered" in outcome.stderr
     assert content(batch.folder / "out") == before
 
 
