@@ -34,7 +34,7 @@ class DaskCrew:
     def __init__(self, address: str, workplace: Workplace, files: Mapping[str, bytes] | None = None,
                  patience: float = 60):
         self.address, self.patience = address, patience
-        self.build, self.store = workplace.build, str(workplace.store.folder)
+        self.build, self._store = workplace.build, workplace.store
         options: dict[str, Any] = {"address": address}
         if not address.startswith("tcp://") and not address.startswith("tls://"):
             options = {"scheduler_file": address}
@@ -53,7 +53,7 @@ class DaskCrew:
         self._refused: list[Finding] = []
         self._client.subscribe_topic(NAME, lambda event: self._events.put(event[1]))
         sources = {path.name: path.read_text() for path in sorted(pathlib.Path(__file__).parent.glob("*.py"))}
-        plant = Plant(sources, (self.store, workplace.store.id, workplace.build, workplace.hint), files)
+        plant = Plant(sources, (str(self._store.folder), workplace.store.id, workplace.build, workplace.hint), files)
         if self._is_registered():
             # That of an earlier batch would stay.
             self._client.unregister_worker_plugin(NAME)
@@ -100,21 +100,28 @@ class DaskCrew:
             if self._futures.get(key) is not future:
                 continue
             del self._futures[key]
+            if future.status == "finished" and not self.carries and self._store.path(key).exists():
+                # What the worker says of it need not travel.
+                return key, ("paid", None)
             return key, self._answer_of(future)
 
     def _answer_of(self, future: Any) -> Outcome | Trouble:
-        if future.status == "finished":
-            answer = future.result(timeout=30)
-            return Trouble(*answer) if len(answer) == 3 else answer
-        if future.status == "error":
-            fault = future.exception(timeout=30)
-            if isinstance(fault, distributed.scheduler.KilledWorker):
-                return Trouble("lost", "several of its workers died")
-            return Trouble("failed", f"{type(fault).__name__}: {fault}")
-        self._check_is_there(is_lost=True)
+        try:
+            if future.status == "finished":
+                answer = future.result(timeout=30)
+                return Trouble(*answer) if len(answer) == 3 else answer
+            if future.status == "error":
+                fault = future.exception(timeout=30)
+                if isinstance(fault, distributed.scheduler.KilledWorker):
+                    return Trouble("lost", "several of its workers died")
+                return Trouble("failed", f"{type(fault).__name__}: {fault}")
+        except (OSError, TimeoutError) as fault:
+            self._check_is_there()
+            return Trouble("lost", f"its answer was lost: {fault}")
+        self._check_is_there()
         return Trouble("lost", f"it was {future.status}")
 
-    def _check_is_there(self, is_lost: bool = False) -> None:
+    def _check_is_there(self) -> None:
         """Raises BatchError where the scheduler is gone, or no worker is there for a while."""
         if self._client.status != "running":
             raise self._away("the connection is lost")
@@ -138,7 +145,7 @@ class DaskCrew:
             event = self._events.get()
             if isinstance(event, (list, tuple)) and len(event) == 3 and event[0] in LEAVES:
                 trouble = Trouble(*event)
-                self._refused.append(finding_of(trouble, self.build, self.store))
+                self._refused.append(finding_of(trouble, self.build, str(self._store.folder)))
         return self._refused
 
     def warnings(self) -> list[Finding]:

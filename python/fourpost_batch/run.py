@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import collections
+import time
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Protocol
 
@@ -106,12 +107,24 @@ class _Run:
             except OSError as fault:
                 wording = f"cannot write: {fault}: free space and run the batch again; results so far are kept"
                 raise BatchError([error("batch-cannot-write", wording)], CANNOT_WRITE) from None
+        result = self._see(key)
+        if result is None:
+            self._take_trouble(key, Trouble("lost", "its result does not appear in the folder"))
+            return
         self.tally.paid += how == "paid"
         self.tally.found += how == "found"
         self.asked.discard(key)
-        fit = self.store.get(key)
-        if fit is not None and fit["code"] < 2:
+        if result["code"] < 2:
             self._send(self.waiting.pop(key, []))
+
+    def _see(self, key: str) -> dict[str, Any] | None:
+        """A result that another machine has written, which a shared folder may show some seconds later."""
+        for _ in range(100):
+            result = self.store.get(key)
+            if result is not None:
+                return result
+            time.sleep(0.1)
+        return None
 
     def _take_trouble(self, key: str, trouble: Trouble) -> None:
         if key not in self.asked:
