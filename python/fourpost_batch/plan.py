@@ -65,6 +65,14 @@ class _Reader:
         self.wrong(node, key, "write a word or a number")
         return None
 
+    def name(self, node: Any, key: str) -> str | None:
+        """One that may be a folder."""
+        text = self.text(node, key)
+        if text is None or re.fullmatch(r"\w[\w.+-]*", text):
+            return text
+        self.wrong(node, key, "write letters, digits, '_', '-', '+' and '.'")
+        return None
+
     def texts(self, node: Any, key: str) -> list[str]:
         items = node.value if node.id == "sequence" else [node]
         return [text for item in items if (text := self.text(item, key)) is not None]
@@ -125,13 +133,13 @@ class _Reader:
 R = _Reader
 _RUN = {"of": R.texts, "run": R.files}
 KEYS: dict[str, dict[str, Callable[[_Reader, Any, str], Any]]] = {
-    "fits": {"study": R.files, "name": R.text, "seeds": R.numbers, "set": R.settings, "grow": R.flag,
+    "fits": {"study": R.files, "name": R.name, "seeds": R.numbers, "set": R.settings, "grow": R.flag,
              "suggest": R.flag, "accept_implausible": R.flag, "accept_unidentified": R.flag, "profile": R.texts},
     "predictions": {**_RUN, "recordings": R.files, "mode": R.text, "engine": R.text},
     "choices": {**_RUN, "vehicle": R.files, "settings": R.files, "checks": R.flag},
-    "comparisons": {"study": R.files, "name": R.text, "methods": R.texts, "runs": R.whole, "seeds": R.numbers,
+    "comparisons": {"study": R.files, "name": R.name, "methods": R.texts, "runs": R.whole, "seeds": R.numbers,
                     "evaluations": R.whole, "near": R.text},
-    "coverage": {"script": R.files, "name": R.text, "files": R.files, "arguments": R.texts, "numbers": R.numbers},
+    "coverage": {"script": R.files, "name": R.name, "files": R.files, "arguments": R.texts, "numbers": R.numbers},
 }
 """Sections of a plan, and how each key of theirs is read."""
 NEEDED = {"fits": ["study"], "predictions": ["recordings"], "choices": ["settings"], "comparisons": ["study"],

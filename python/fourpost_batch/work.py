@@ -165,7 +165,7 @@ class Workplace:
                 raise Trouble("failed", "the fit that it needs is gone", self.worker)
             (place / FIT_FOLDER).mkdir()
             for name, text in fit["files"].items():
-                (place / FIT_FOLDER / name).write_bytes(text.encode("utf-8", "surrogateescape"))
+                (place / FIT_FOLDER / os.path.basename(name)).write_bytes(text.encode("utf-8", "surrogateescape"))
         return place
 
     def _compute(self, unit: Unit, fit: dict[str, Any] | None, folder: pathlib.Path) -> dict[str, Any]:

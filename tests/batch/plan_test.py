@@ -81,6 +81,7 @@ def test_faults_of_a_plan_are_found_at_once(batch):
     ("fits:\n- {study: a.yaml, seeds: -1}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml, seeds: 1..99999999}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml, seeds: [1, 1]}", "batch-value-wrong", 2),
+    ("fits:\n- {study: a.yaml, name: ../../a}", "batch-value-wrong", 2),
     ("comparisons:\n- {study: a.yaml, runs: 0.5}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml}\n- {study: a.yaml}", "batch-name-twice", 3),
     ("fits:\n- {study: a.yaml}\npredictions:\n- {of: b, recordings: a.yaml}", "batch-run-unknown", 4),
