@@ -14,13 +14,13 @@ void AddOptions(CLI::App& subcommand, BatchCommand& command) {
       ->capture_default_str();
   subcommand
       .add_option("--workers", command.workers,
-                  "Units at a time: processes here, tasks of a Slurm array; 0: one per processor")
+                  "Units at a time: processes here (0: one per processor), tasks of a Slurm array (0: 100)")
       ->check(CLI::Range(0, 100000));
   subcommand
       .add_option("--tries", command.tries, "Give a unit up that lost its worker, or met a full disk, so many times")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  subcommand.add_option("--slurm", command.slurm, "Options for sbatch, such as \"--partition=long --time=2:00:00\"");
+  subcommand.add_option("--slurm", command.slurm, "Options for sbatch, such as \"-p long -t 2:00:00\"");
   subcommand.add_flag("--ship", command.ship, "Send the files of all units to Dask workers that do not see the folder");
   CLI::Option* list = subcommand.add_flag("--list", command.list, "List the units and which have results; run none");
   subcommand

@@ -2,6 +2,7 @@
 import json
 import os
 import random
+import re
 import resource
 import signal
 import subprocess
@@ -11,6 +12,9 @@ import time
 
 import pytest
 from conftest import FOURPOST, SOURCE, STUB, content
+
+from fourpost_batch import Store, Unit, run
+from fourpost_batch.unit import result_text
 
 PLAN = "comparisons:\n  - {study: a.yaml, seeds: 1..%d}\n"
 
@@ -139,6 +143,38 @@ def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
         assert "[batch-unit-failed]" in outcome.stderr and "[batch-unit-blocked]" in outcome.stderr
 
 
+def test_the_same_work_is_done_once(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", "fits: [{study: a.yaml, name: one}, {study: a.yaml, name: two}]")
+    told = batch.json("--output=out")
+    assert told["counts"]["done"] == 2 and told["work"]["paid"] == 1
+    page = (batch.folder / "out/progress.html").read_text()
+    assert "Ended on local" in page and "computed now</td><td>1<" in page
+
+
+def test_a_result_that_a_shared_folder_shows_later_is_waited_for(tmp_path):
+    unit = Unit("a", "comparison", ("{program}",), (), "b")
+    needs = Unit("c", "prediction", ("{program}",), (), "b", after=unit.key)
+    store = Store.make(tmp_path / "out")
+
+    class Crew:
+        stops_at, carries, asked = (), False, []
+
+        def send(self, units):
+            self.asked += [unit for unit, _ in units]
+
+        def receive(self):
+            key = self.asked.pop().key
+            text = result_text(key, {"code": 0, "printed": "", "files": {}, "messages": []})
+            threading.Timer(0.3, store.put, (key, text)).start()
+            return key, ("paid", None)
+
+        def warnings(self):
+            return []
+    tally = run([unit, needs], store, Crew())
+    assert tally.paid == 2 and not tally.lost and store.has(needs.key)
+
+
 def test_an_altered_result_is_computed_again(batch):
     batch.study("a.yaml", "delay 0")
     batch.write("plan.yaml", PLAN % 3)
@@ -183,6 +219,15 @@ def test_coverage_is_a_script_of_a_number(batch):
     batch.run("--output=out", "--unpack")
     assert (batch.folder / "out/coverage.csv").read_text() == "number,square\n2,4\n3,9\n4,16\n"
     assert (batch.folder / "out/runs/cars/3/result.csv").read_text() == "number,square\n3,9\n"
+
+
+def test_the_example_of_python_runs(starter):
+    starter.write("plan.yaml", "fits: [{study: car/study.yaml}]")
+    block = re.search(r"^```python\n(.*?)^```", (SOURCE / "docs/batch.md").read_text(), re.S | re.M)[1]
+    script = block.replace("build/release/fourpost", FOURPOST) + "print(results['study']['code'])\n"
+    outcome = subprocess.run([sys.executable, "-c", script], cwd=starter.folder, capture_output=True, text=True,
+                             env={**os.environ, "PYTHONPATH": str(SOURCE / "python")})
+    assert outcome.stdout == "0\n", outcome.stderr
 
 
 def test_workers_of_a_launcher_share_the_units(batch):
