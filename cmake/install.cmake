@@ -49,6 +49,8 @@ if(TARGET fourpost)
 endif()
 # Studies name their vehicle, and vehicles their meshes, by relative paths: the three keep their places.
 install(DIRECTORY urdf meshes studies DESTINATION ${FOURPOST_DATA_DIR} COMPONENT program)
+# What `fourpost batch` runs.
+install(DIRECTORY python/fourpost_batch DESTINATION ${FOURPOST_DATA_DIR}/python COMPONENT program FILES_MATCHING PATTERN "*.py")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fourpost RENAME copyright COMPONENT program)
 
 # `cpack --config build/release/CPackConfig.cmake` makes the Debian package of the program.
@@ -61,6 +63,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fourpost)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Of `fourpost batch` alone.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS python3-yaml)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS python3-distributed)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 include(CPack)

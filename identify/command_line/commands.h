@@ -282,6 +282,23 @@ struct ChooseCommand : RunChoiceRequest {
   bool json = false;
 };
 
+/// `fourpost batch PLAN -o DIR`; what its values may be is known to the Python package that runs it.
+struct BatchCommand {
+  std::filesystem::path plan;
+  std::filesystem::path output;
+  std::string on = "local";
+  /// 0: as many as there are processors, or as the other side has.
+  int workers = 0;
+  int tries = 10;
+  std::string slurm;
+  bool ship = false;
+  bool list = false;
+  bool unpack = false;
+  /// A file that `--on slurm` wrote; empty: the plan is run.
+  std::filesystem::path task;
+  bool json = false;
+};
+
 /// `fourpost rank RUN...`
 struct RankCommand {
   /// Folders of fits.
@@ -312,5 +329,6 @@ int Run(const RankCommand& command);
 int Run(const DrawsCommand& command);
 int Run(const SuggestCommand& command);
 int Run(const ChooseCommand& command);
+int Run(const BatchCommand& command);
 
 }  // namespace fourpost

@@ -15,6 +15,8 @@ enum ExitCode {
   kDefect = 70,
   /// The system has no memory left: EX_OSERR of sysexits.h.
   kOutOfMemory = 71,
+  /// Others kept it from its end, and it goes on when it is run again: EX_TEMPFAIL of sysexits.h.
+  kNotDone = 75,
   /// 128 + SIGINT, as shells report it.
   kInterrupted = 130,
 };

@@ -34,7 +34,12 @@ std::optional<Described> DescribeStudy(const std::filesystem::path& file, Diagno
   if (!study) return std::nullopt;
   Diagnostics findings;
   const std::optional<Audit> audit = CheckRecordings(*study, Severity::kWarning, findings);
-  Json json = {{"kind", "study"}, {"audit", audit ? AuditJson(*audit) : Json()}, {"warnings", WarningsJson(findings)}};
+  Json files = Json::array();
+  for (const std::filesystem::path& input : study->InputFiles()) files.push_back(input.string());
+  Json json = {{"kind", "study"},
+               {"inputs", std::move(files)},
+               {"audit", audit ? AuditJson(*audit) : Json()},
+               {"warnings", WarningsJson(findings)}};
   std::string text =
       audit ? AuditText(*audit) : "no audit: it needs stepped sines, and posts and wheelpans as stated\n";
   for (const Diagnostic& finding : findings.ByWeight()) text += Format(finding) + '\n';

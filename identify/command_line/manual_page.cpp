@@ -6,7 +6,7 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 9> kExitCodes = {{
+constexpr std::array<std::pair<const char*, const char*>, 10> kExitCodes = {{
     {"0", "Success."},
     {"1",
      "Done with reservations: a fit did not converge, or its model does not explain the data; some frequencies have no "
@@ -17,6 +17,7 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kExitCodes = {{
     {"5", "A result cannot be written."},
     {"70", "A defect of fourpost."},
     {"71", "Out of memory."},
+    {"75", "A batch is not complete, for example because its scheduler went away; run it again."},
     {"130", "Interrupted; response, simulate, fit and compare end with what they have."},
 }};
 

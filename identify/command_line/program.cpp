@@ -2,6 +2,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
+#include "identify/command_line/batch_options.h"
 #include "identify/command_line/command_table.h"
 #include "identify/command_line/common_options.h"
 #include "identify/command_line/completion.h"
@@ -61,6 +62,7 @@ Program::Program() {
   AddDraws();
   AddSuggest();
   AddChoose();
+  AddBatch();
   AddCompletion();
   AddMan();
   AddHelp();
@@ -386,6 +388,14 @@ void Program::AddChoose() {
                   "Evaluations in parallel, without influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--json", choose_.json, "Print JSON instead of tables");
+}
+
+void Program::AddBatch() {
+  AddOptions(*Add("batch", "Run many fits, predictions, comparisons and choices, here or on a cluster",
+                  "  fourpost batch plan.yaml --list\n  fourpost batch plan.yaml -o batch\n"
+                  "  fourpost batch plan.yaml -o batch --on local --workers 2",
+                  [this] { return Run(batch_); }),
+             batch_);
 }
 
 void Program::AddCompletion() {

@@ -46,6 +46,7 @@ class Program {
   void AddDraws();
   void AddSuggest();
   void AddChoose();
+  void AddBatch();
   void AddCompletion();
   void AddMan();
   void AddHelp();
@@ -72,6 +73,7 @@ class Program {
   DrawsCommand draws_;
   SuggestCommand suggest_;
   ChooseCommand choose_;
+  BatchCommand batch_;
   std::string shell_;
   std::string topic_;
 };

@@ -30,6 +30,7 @@ class Help(ProgramTest):
                           ("stepped_sine.csv", "stepped_sine.csv")):
             shutil.copy(self.folder / "new" / new, self.folder / name)
         self.write("settings.yaml", "knobs: {spring: {sets: k, values: [18 kN/m, 22 kN/m]}}\nduration: 5 s\ndraws: 20\n")
+        self.write("plan.yaml", "fits: [{study: study.yaml, seeds: 1..2}]\n")
         (self.folder / "rig").mkdir()
         shutil.copy(self.folder / "stepped_sine.csv", self.folder / "rig")
         rover = SOURCE / "urdf/landrover110_model3.urdf"
@@ -66,7 +67,7 @@ class Help(ProgramTest):
         for command in self.commands():
             for option in self.options(command):
                 self.assertRegex(parts[command], rf"(?m)^\.B .*{option}(?![\w-])", command)
-        for code in ("0", "1", "2", "3", "4", "5", "70", "71", "130"):
+        for code in ("0", "1", "2", "3", "4", "5", "70", "71", "75", "130"):
             self.assertIn(f".TP\n.B {code}\n", page)
 
     def test_is_what_shells_complete(self):

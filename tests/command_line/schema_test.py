@@ -97,6 +97,15 @@ class Schema(ProgramTest):
         self.check("compare", "compare", SOURCE / "studies/test_problems/oscillator.yaml", "--methods", "dvhde,gb",
                    "--runs", "2")
 
+    def test_of_a_batch(self):
+        self.run_program("init", "car")
+        self.write("plan.yaml", "fits: [{study: car/study.yaml}]\n"
+                                "predictions: [{of: study, recordings: car/stepped_sine.csv}]\n")
+        self.check("batch", "batch", "plan.yaml", "--list")
+        told = self.check("batch", "batch", "plan.yaml", "-o", "out")
+        self.assertEqual(told["counts"]["done"], 2)
+        self.assertEqual(self.check("batch", "batch", "plan.yaml", "-o", "out")["work"]["found"], 2)
+
     def test_sees_what_is_wrong(self):
         document = self.check("init", "init", "car")
         document["more"] = 1

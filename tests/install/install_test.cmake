@@ -12,7 +12,7 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
 if(EXISTS ${prefix}/bin/fourpost)
   run(${prefix}/bin/fourpost --help)
   foreach(file IN ITEMS man/man1/fourpost.1 bash-completion/completions/fourpost zsh/site-functions/_fourpost
-      fish/vendor_completions.d/fourpost.fish)
+      fish/vendor_completions.d/fourpost.fish fourpost/python/fourpost_batch/__main__.py)
     if(NOT EXISTS ${prefix}/share/${file})
       message(FATAL_ERROR "share/${file} is not installed")
     endif()

@@ -1,0 +1,160 @@
+"""Workers of a Dask scheduler: it places units, and replaces workers that die.
+
+What workers need is carried to them once, see dask_plant.py; a worker that can do none of the units leaves.
+"""
+from __future__ import annotations
+
+import json
+import pathlib
+import queue
+import sys
+import time
+from typing import Any, Mapping
+
+from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble, error, warning
+from .run import Outcome, finding_of
+from .unit import Unit
+from .work import Workplace
+
+try:
+    import cloudpickle
+    import distributed
+
+    from . import dask_plant
+    from .dask_plant import NAME, Plant
+except ImportError:
+    text = f"this needs distributed, which {sys.executable} does not have: install it: apt install python3-distributed"
+    raise BatchError([error("batch-lacks-package", text)], USAGE) from None
+
+class DaskCrew:
+    """address: of the scheduler, tcp://HOST:PORT, or its scheduler file."""
+
+    stops_at = ()
+
+    def __init__(self, address: str, workplace: Workplace, files: Mapping[str, bytes] | None = None,
+                 patience: float = 60):
+        self.address, self.patience = address, patience
+        self.build, self._store = workplace.build, workplace.store
+        options: dict[str, Any] = {"address": address}
+        if not address.startswith("tcp://") and not address.startswith("tls://"):
+            options = {"scheduler_file": address}
+            self._check_file(address)
+        cloudpickle.register_pickle_by_value(dask_plant)
+        try:
+            self._client = distributed.Client(timeout=5, set_as_default=False, **options)
+        except (OSError, TimeoutError) as fault:
+            raise self._away(str(fault)) from None
+        self._answers: queue.SimpleQueue[tuple[str, Any]] = queue.SimpleQueue()
+        self._futures: dict[str, Any] = {}
+        self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self._sent = 0
+        self.carries = files is not None
+        self._alone_since: float | None = None
+        self._refused: list[Finding] = []
+        self._client.subscribe_topic(NAME, lambda event: self._events.put(event[1]))
+        sources = {path.name: path.read_text() for path in sorted(pathlib.Path(__file__).parent.glob("*.py"))}
+        plant = Plant(sources, (str(self._store.folder), workplace.store.id, workplace.build, workplace.hint), files)
+        if self._is_registered():
+            # That of an earlier batch would stay.
+            self._client.unregister_worker_plugin(NAME)
+        self._client.register_worker_plugin(plant, NAME)
+
+    @property
+    def dashboard(self) -> str:
+        """Where the scheduler shows its progress; empty where it does not."""
+        services = self._client.scheduler_info().get("services", {})
+        return str(self._client.dashboard_link) if "dashboard" in services else ""
+
+    def _is_registered(self) -> bool:
+        names = self._client.run_on_scheduler(lambda dask_scheduler: list(dask_scheduler.worker_plugins))
+        return NAME in names
+
+    def _check_file(self, path: str) -> None:
+        try:
+            with open(path, encoding="utf-8") as stream:
+                json.load(stream)["address"]
+        except (OSError, ValueError, KeyError, TypeError) as fault:
+            raise self._away(f"'{path}' is not a scheduler file ({fault})") from None
+
+    def _away(self, why: str) -> BatchError:
+        text = f"the scheduler {self.address} does not answer: {why}: start it and run the batch again; results so far are kept"
+        return BatchError([error("batch-scheduler-away", text)], NOT_DONE)
+
+    def send(self, units: list[tuple[Unit, dict[str, Any] | None]]) -> None:
+        # Names of Dask's own, as a key that was lost is asked for again.
+        names = [f"{unit.kind}-{unit.key[:16]}-{self._sent + i}" for i, (unit, _) in enumerate(units)]
+        self._sent += len(units)
+        futures = self._client.map(dask_plant.work, [unit.to_dict() for unit, _ in units], [fit for _, fit in units], key=names, pure=False,
+                                   batch_size=1000)
+        for (unit, _), future in zip(units, futures):
+            self._futures[unit.key] = future
+            future.add_done_callback(lambda done, key=unit.key: self._answers.put((key, done)))
+
+    def receive(self) -> tuple[str, Outcome | Trouble]:
+        while True:
+            try:
+                key, future = self._answers.get(timeout=1)
+            except queue.Empty:
+                self._check_is_there()
+                continue
+            if self._futures.get(key) is not future:
+                continue
+            del self._futures[key]
+            if future.status == "finished" and not self.carries and self._store.path(key).exists():
+                # What the worker says of it need not travel.
+                return key, ("paid", None)
+            return key, self._answer_of(future)
+
+    def _answer_of(self, future: Any) -> Outcome | Trouble:
+        try:
+            if future.status == "finished":
+                answer = future.result(timeout=30)
+                return Trouble(*answer) if len(answer) == 3 else answer
+            if future.status == "error":
+                fault = future.exception(timeout=30)
+                if isinstance(fault, distributed.scheduler.KilledWorker):
+                    return Trouble("lost", "several of its workers died")
+                return Trouble("failed", f"{type(fault).__name__}: {fault}")
+        except (OSError, TimeoutError) as fault:
+            self._check_is_there()
+            return Trouble("lost", f"its answer was lost: {fault}")
+        self._check_is_there()
+        return Trouble("lost", f"it was {future.status}")
+
+    def _check_is_there(self) -> None:
+        """Raises BatchError where the scheduler is gone, or no worker is there for a while."""
+        if self._client.status != "running":
+            raise self._away("the connection is lost")
+        try:
+            workers = self._client.nthreads()
+        except (OSError, TimeoutError, distributed.CommClosedError) as fault:
+            raise self._away(str(fault)) from None
+        if workers:
+            self._alone_since = None
+            return
+        self._alone_since = self._alone_since or time.monotonic()
+        self.warnings_so_far()
+        patience = min(self.patience, 2) if self._refused else self.patience
+        if time.monotonic() - self._alone_since > patience:
+            why = "".join(f"; {finding.text}" for finding in self._refused[:3])
+            text = f"no worker of {self.address} takes units{why}: start workers of this build of fourpost and run the batch again"
+            raise BatchError([error("batch-no-workers", text)], NOT_DONE)
+
+    def warnings_so_far(self) -> list[Finding]:
+        while not self._events.empty():
+            event = self._events.get()
+            if isinstance(event, (list, tuple)) and len(event) == 3 and event[0] in LEAVES:
+                trouble = Trouble(*event)
+                self._refused.append(finding_of(trouble, self.build, str(self._store.folder)))
+        return self._refused
+
+    def warnings(self) -> list[Finding]:
+        found, self._refused = self.warnings_so_far(), []
+        return found
+
+    def close(self) -> None:
+        self._futures.clear()
+        try:
+            self._client.close(timeout=5)
+        except Exception:  # It is gone, so nothing is left to close.
+            pass

@@ -1,0 +1,227 @@
+"""A plan becomes units: each with the files that it reads, by their hashes, and its call of the program."""
+from __future__ import annotations
+
+import concurrent.futures
+import fnmatch
+import json
+import os
+import pathlib
+import re
+import subprocess
+from dataclasses import dataclass
+from typing import Iterable, Sequence
+
+from .errors import BatchError, Finding, did_you_mean, error
+from .plan import Entry, Plan
+from .program import Program
+from .store import file_hash
+from .unit import FIT_FOLDER, Unit
+
+Files = list[tuple[str, pathlib.Path]]
+"""Where a file stands for the unit, and where it is here."""
+RUN_FILES = ("result.json", "vehicle.urdf", "study.yaml")
+
+
+@dataclass
+class Expanded:
+    """The units of a plan, each after the one that it needs, and where their input files are."""
+
+    units: list[Unit]
+    sources: dict[str, pathlib.Path]
+    """Of input files by hash."""
+
+
+def expand(plan: Plan, program: Program) -> Expanded:
+    """Raises BatchError with all that is wrong: studies and recordings are read, and what the program would refuse is
+    refused before anything is computed."""
+    return _Expansion(plan, program).run()
+
+
+class _Expansion:
+    def __init__(self, plan: Plan, program: Program):
+        self.plan, self.program = plan, program
+        self.findings: list[Finding] = []
+        self.units: dict[str, Unit] = {}
+        self.fits: dict[str, list[tuple[Unit, Files]]] = {}
+        self.sources: dict[str, pathlib.Path] = {}
+        self.hashes: dict[pathlib.Path, str] = {}
+        self.inputs: dict[pathlib.Path, list[pathlib.Path]] = {}
+
+    def run(self) -> Expanded:
+        self._look_at_studies()
+        for section, add in (("fits", self._fit), ("predictions", self._prediction), ("choices", self._choice),
+                             ("comparisons", self._comparison), ("coverage", self._coverage)):
+            for entry in self.plan.of(section):
+                add(entry)
+        if self.findings:
+            raise BatchError(self.findings)
+        return Expanded(list(self.units.values()), self.sources)
+
+    def _refuse(self, entry: Entry, id: str, text: str) -> None:
+        self.findings.append(error(id, text, self.plan.file, entry.line))
+
+    # What studies read.
+
+    def _look_at_studies(self) -> None:
+        """Of each study once, as the program says."""
+        studies = dict.fromkeys(study for entry in self.plan.entries if "study" in entry.values
+                                for study in entry["study"])
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            for study, found in zip(studies, pool.map(self._read_by, studies)):
+                self.inputs[study] = found
+
+    def _read_by(self, study: pathlib.Path) -> list[pathlib.Path]:
+        try:
+            is_problem = re.search(r"^problem\s*:", study.read_text("utf-8", "replace"), re.M)
+        except OSError as fault:
+            self.findings.append(error("batch-file-missing", f"no file '{study}': {fault.strerror}"))
+            return []
+        if is_problem:
+            return [study]
+        outcome = subprocess.run([self.program.path, "info", study, "--json"], capture_output=True, text=True)
+        if outcome.returncode != 0:
+            self.findings += _findings_of(outcome.stderr) or [error("batch-plan-malformed", outcome.stderr, study)]
+            return []
+        names = json.loads(outcome.stdout)["files"][0]["inputs"]
+        files = [pathlib.Path(os.path.abspath(name)) for name in names]
+        return list(dict.fromkeys(files + [mesh for file in files for mesh in _meshes(file)]))
+
+    # Sections.
+
+    def _fit(self, entry: Entry) -> None:
+        options = [f"--set={name}={value}" for name, value in (entry.get("set") or {}).items()]
+        options += ["--grow"] * bool(entry.get("grow")) + ["--no-suggest"] * (entry.get("suggest") is False)
+        options += ["--accept-implausible"] * bool(entry.get("accept_implausible"))
+        options += ["--accept-unidentified"] * bool(entry.get("accept_unidentified"))
+        options += [f"--profile={','.join(entry['profile'])}"] if entry.get("profile") else []
+        for study in entry["study"]:
+            name = self._name(entry, study)
+            files = _relative(self.inputs[study], study.parent)
+            if name in self.fits:
+                self._refuse(entry, "batch-name-twice",
+                             f"two units have the name '{name}': give entries names of their own by 'name'")
+                continue
+            fits = self.fits[name] = []
+            for seed in entry.get("seeds") or [None]:
+                seeded = [f"--seed={seed}"] if seed is not None else []
+                command = ["fit", study.name, "-o", FIT_FOLDER, "--threads=1", *options, *seeded]
+                unit = self._add(entry, name + (f"/seed{seed}" if seed is not None else ""), "fit", command, files,
+                                 keep=self.plan.keep)
+                fits.append((unit, files))
+
+    def _prediction(self, entry: Entry) -> None:
+        options = [f"--{key}={entry[key]}" for key in ("mode", "engine") if entry.get(key)]
+        for recording in entry["recordings"]:
+            given = f"given/{recording.name}"
+            command = ["predict", FIT_FOLDER, "--recording", given, "--json", *options]
+            self._of_runs(entry, f"predict/{recording.stem}", "prediction", command, [(given, recording)])
+
+    def _choice(self, entry: Entry) -> None:
+        for settings in entry["settings"]:
+            given = f"given/{settings.name}"
+            options = ["--settings", given, "--threads=1", "--json"] + ["--no-checks"] * (entry.get("checks") is False)
+            self._of_runs(entry, f"choose/{settings.stem}", "choice", ["choose", FIT_FOLDER, *options],
+                          [(given, settings)])
+            for vehicle in entry.get("vehicle") or []:
+                files = _relative([vehicle, *_meshes(vehicle)], vehicle.parent) + [(given, settings)]
+                self._add(entry, f"{vehicle.stem}/choose/{settings.stem}", "choice",
+                          ["choose", vehicle.name, *options], files)
+
+    def _comparison(self, entry: Entry) -> None:
+        options = [f"--methods={','.join(entry['methods'])}"] if entry.get("methods") else []
+        options += [f"--{key}={entry[key]}" for key in ("runs", "evaluations", "near") if entry.get(key)]
+        for study in entry["study"]:
+            for seed in entry.get("seeds") or [1]:
+                name = f"compare/{self._name(entry, study)}/seed{seed}"
+                self._add(entry, name, "comparison",
+                          ["compare", study.name, "--threads=1", "--json", f"--seed={seed}", *options],
+                          _relative(self.inputs[study], study.parent))
+
+    def _coverage(self, entry: Entry) -> None:
+        for script in entry["script"]:
+            files = _relative([script, *(entry.get("files") or [])], script.parent)
+            for number in entry["numbers"]:
+                words = [word.replace("{number}", str(number)) for word in entry["arguments"]]
+                self._add(entry, f"{self._name(entry, script)}/{number}", "coverage", [script.name, *words], files,
+                          first="{python}")
+
+    # Units.
+
+    @staticmethod
+    def _name(entry: Entry, file: pathlib.Path) -> str:
+        several = len(entry.get("study") or entry.get("script")) > 1
+        name: str | None = entry.get("name")
+        return file.stem if name is None else f"{name}/{file.stem}" if several else name
+
+    def _of_runs(self, entry: Entry, name: str, kind: str, command: list[str], given: Files) -> None:
+        """A unit for each fit of the plan that 'of' names, and each folder that 'run' names."""
+        for pattern in entry.get("of") or []:
+            found = [fit for fit in self.fits if fnmatch.fnmatchcase(fit, pattern)]
+            if not found:
+                near = did_you_mean(pattern, self.fits)
+                self._refuse(entry, "batch-run-unknown", f"no fit of this plan has the name '{pattern}'{near}: "
+                             "name an entry of 'fits', or a folder of a fit by 'run'")
+            for unit, files in (one for fit in found for one in self.fits[fit]):
+                self._add(entry, f"{unit.name}/{name}", kind, command, files + given, after=unit.key)
+        for folder in entry.get("run") or []:
+            if self._is_of_this_version(entry, folder):
+                files = [(f"{FIT_FOLDER}/{file}", folder / file) for file in RUN_FILES if (folder / file).exists()]
+                self._add(entry, f"{folder.name}/{name}", kind, command, files + given)
+
+    def _is_of_this_version(self, entry: Entry, folder: pathlib.Path) -> bool:
+        try:
+            version = json.loads((folder / "result.json").read_text())["versions"]["fourpost"]
+        except (OSError, ValueError, KeyError, TypeError):
+            self._refuse(entry, "batch-file-missing", f"no file '{folder}/result.json' of a fit: paths are relative to "
+                         "the plan's folder")
+            return False
+        if version != self.program.version:
+            self._refuse(entry, "batch-run-of-other-version", f"'{folder}' is a fit of fourpost {version}, and this is "
+                         f"{self.program.version}: fit again, best as an entry of 'fits'")
+        return bool(version == self.program.version)
+
+    def _add(self, entry: Entry, name: str, kind: str, command: Sequence[str], files: Files, *, keep: Sequence[str] = (),
+             after: str = "", first: str = "{program}") -> Unit:
+        inputs = []
+        for place, path in dict(files).items():
+            if digest := self._hash(entry, path):
+                inputs.append((place, digest))
+        unit = Unit(name, kind, (first, *command), tuple(sorted(inputs)), self.program.build, tuple(keep), after)
+        if name in self.units:
+            self._refuse(entry, "batch-name-twice",
+                         f"two units have the name '{name}': give entries names of their own by 'name'")
+        self.units[name] = unit
+        return unit
+
+    def _hash(self, entry: Entry, path: pathlib.Path) -> str:
+        if path not in self.hashes:
+            try:
+                digest = self.hashes[path] = file_hash(path)
+                self.sources[digest] = path
+            except OSError as fault:
+                self._refuse(entry, "batch-file-missing", f"no file '{path}': {fault.strerror}")
+                self.hashes[path] = ""
+        return self.hashes[path]
+
+
+def _relative(paths: Iterable[pathlib.Path], folder: pathlib.Path) -> Files:
+    return [(os.path.relpath(path, folder), path) for path in paths]
+
+
+def _meshes(vehicle: pathlib.Path) -> list[pathlib.Path]:
+    """What a vehicle file refers to; what is missing the program reports."""
+    if vehicle.suffix != ".urdf":
+        return []
+    names = re.findall(r"""\bfilename\s*=\s*["']([^"']+)["']""", vehicle.read_text("utf-8", "replace"))
+    paths = (vehicle.parent / re.sub(r"^(package|file)://", "", name) for name in names)
+    return [pathlib.Path(os.path.abspath(path)) for path in paths if path.is_file()]
+
+
+def _findings_of(text: str) -> list[Finding]:
+    """As the program printed them."""
+    found = []
+    for line in text.splitlines():
+        parts = re.fullmatch(r"(?:(.*?)(?::(\d+))?: )?(error): (.*) \[([a-z0-9-]+)\]", line)
+        if parts:
+            found.append(error(parts[5], parts[4], parts[1] or "", int(parts[2] or 0)))
+    return found

@@ -1,0 +1,63 @@
+"""One of several workers that mpirun, srun or a shell started on the same plan: each runs its share."""
+from __future__ import annotations
+
+import os
+from typing import Callable
+
+from .errors import USAGE, BatchError, Trouble, error
+from .run import Tally
+from .unit import Unit
+from .work import Workplace
+
+RANKS = (("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), ("PMI_RANK", "PMI_SIZE"), ("PMIX_RANK", "PMIX_SIZE"),
+         ("SLURM_PROCID", "SLURM_NTASKS"))
+
+
+def share_of_this() -> tuple[int, int]:
+    """Number of this worker, from 0, and of all. Raises BatchError."""
+    texts = os.environ.get("FOURPOST_BATCH_SHARE", "").split("/")
+    pairs = [tuple(texts)] + [(os.environ.get(rank, ""), os.environ.get(size, "")) for rank, size in RANKS]
+    for pair in pairs:
+        if len(pair) == 2 and all(text.isdigit() for text in pair) and int(pair[0]) < int(pair[1]):
+            return int(pair[0]), int(pair[1])
+    text = ("nothing says which of how many workers this is: start it by mpirun or srun, or set FOURPOST_BATCH_SHARE "
+            "to 0/8 to 7/8")
+    raise BatchError([error("batch-launcher-unknown", text)], USAGE)
+
+
+def run_launched(units: list[Unit], workplace: Workplace, tries: int,
+                 progress: Callable[[Tally, int], None]) -> tuple[Tally, bool]:
+    """Runs the share of this worker: fits, each with all that needs it. Whether the units of all workers have results."""
+    rank, count = share_of_this()
+    store, tally = workplace.store, Tally()
+    by_fit: dict[str, list[Unit]] = {}
+    for unit in {unit.key: unit for unit in units}.values():
+        by_fit.setdefault(unit.after or unit.key, []).append(unit)
+    mine = [unit for group in list(by_fit.values())[rank::count] for unit in group]
+    try:
+        for done, unit in enumerate(mine):
+            fit = store.get(unit.after) if unit.after else None
+            if not unit.after or (fit is not None and fit["code"] < 2):
+                _bring(unit, workplace, tries, tally)
+            progress(tally, len(mine) - done - 1)
+    finally:
+        workplace.close()
+    return tally, all(store.path(unit.key).exists() for unit in units)
+
+
+def _bring(unit: Unit, workplace: Workplace, tries: int, tally: Tally) -> None:
+    for attempt in range(tries):
+        try:
+            how, text = workplace.run(unit)
+        except Trouble as trouble:
+            tally.tried_again += 1
+            if trouble.kind in ("disk", "build", "files", "program") or attempt + 1 == tries:
+                tally.lost[unit.key] = trouble
+                return
+            continue
+        if text is not None:
+            tally.lost[unit.key] = Trouble("disk", "the folder of the batch is full", workplace.worker)
+            return
+        tally.paid += how == "paid"
+        tally.found += how == "found"
+        return

@@ -1,0 +1,159 @@
+"""Units are run: those that have no result yet, each after the fit that it needs."""
+from __future__ import annotations
+
+import collections
+import time
+from dataclasses import dataclass, field
+from typing import Any, Callable, Iterable, Protocol
+
+from .errors import CANNOT_WRITE, NOT_DONE, BatchError, Finding, Trouble, error, warning
+from .store import Store
+from .unit import Unit
+
+Outcome = tuple[str, "bytes | None"]
+"""As Workplace.run() returns it."""
+
+
+class Crew(Protocol):
+    """Workers somewhere, by a scheduler that is not ours."""
+
+    stops_at: tuple[str, ...]
+    """Kinds of trouble that no other worker would be spared."""
+    carries: bool
+    """Whether workers do not see the store, so that fits go to them with the units that need them."""
+
+    def send(self, units: list[tuple[Unit, dict[str, Any] | None]]) -> None:
+        """Asks for results; each unit with the fit that it needs, where the crew carries it."""
+
+    def receive(self) -> tuple[str, Outcome | Trouble]:
+        """Waits for the next answer to a key. Raises BatchError when none can come."""
+
+    def warnings(self) -> list[Finding]:
+        """Of workers, since the last call."""
+
+    def close(self) -> None: ...
+
+
+@dataclass
+class Tally:
+    """What became of the units of one run."""
+
+    found: int = 0
+    """Results that were there before."""
+    paid: int = 0
+    """Computed now."""
+    tried_again: int = 0
+    """Attempts that ended without a result."""
+    lost: dict[str, Trouble] = field(default_factory=dict)
+    """By key: units that were given up."""
+    warnings: list[Finding] = field(default_factory=list)
+
+
+def run(units: Iterable[Unit], store: Store, crew: Crew, *, tries: int = 10,
+        progress: Callable[[Tally, int], None] = lambda tally, left: None) -> Tally:
+    """Brings the results of all units into the store. Raises BatchError where workers or the store are gone; results so
+    far are kept. Units that were lost `tries` times are in the tally."""
+    return _Run(units, store, crew, tries, progress).run()
+
+
+class _Run:
+    def __init__(self, units: Iterable[Unit], store: Store, crew: Crew, tries: int,
+                 progress: Callable[[Tally, int], None]):
+        # The same work under two names is done once.
+        self.units = {unit.key: unit for unit in units}
+        self.store, self.crew, self.tries, self.progress = store, crew, tries, progress
+        self.tally = Tally()
+        self.attempts: collections.Counter[str] = collections.Counter()
+        self.waiting: dict[str, list[str]] = collections.defaultdict(list)
+        self.asked: set[str] = set()
+
+    def run(self) -> Tally:
+        there = {key: result["code"] for key in self.units if (result := self.store.get(key))}
+        self.tally.found = len(there)
+        ready = []
+        for key, unit in self.units.items():
+            if key in there:
+                continue
+            if unit.after and unit.after not in there:
+                self.waiting[unit.after].append(key)
+            elif not unit.after or there[unit.after] < 2:
+                ready.append(key)
+        self._send(ready)
+        while self.asked:
+            key, answer = self.crew.receive()
+            self.tally.warnings += self.crew.warnings()
+            if isinstance(answer, Trouble):
+                self._take_trouble(key, answer)
+            else:
+                self._take(key, *answer)
+            self.progress(self.tally, len(self.asked) + sum(map(len, self.waiting.values())))
+        return self.tally
+
+    def _send(self, keys: list[str]) -> None:
+        self.asked.update(keys)
+        units = [self.units[key] for key in keys]
+        if units:
+            self.crew.send([(unit, self._fit_for(unit)) for unit in units])
+
+    def _fit_for(self, unit: Unit) -> dict[str, Any] | None:
+        return self.store.get(unit.after) if unit.after and self.crew.carries else None
+
+    def _take(self, key: str, how: str, text: bytes | None) -> None:
+        if key not in self.asked:
+            return
+        if text is not None:
+            try:
+                self.store.put(key, text)
+            except OSError as fault:
+                wording = f"cannot write: {fault}: free space and run the batch again; results so far are kept"
+                raise BatchError([error("batch-cannot-write", wording)], CANNOT_WRITE) from None
+        result = self._see(key)
+        if result is None:
+            self._take_trouble(key, Trouble("lost", "its result does not appear in the folder"))
+            return
+        self.tally.paid += how == "paid"
+        self.tally.found += how == "found"
+        self.asked.discard(key)
+        if result["code"] < 2:
+            self._send(self.waiting.pop(key, []))
+
+    def _see(self, key: str) -> dict[str, Any] | None:
+        """A result that another machine has written, which a shared folder may show some seconds later."""
+        for _ in range(100):
+            result = self.store.get(key)
+            if result is not None:
+                return result
+            time.sleep(0.1)
+        return None
+
+    def _take_trouble(self, key: str, trouble: Trouble) -> None:
+        if key not in self.asked:
+            return
+        if trouble.kind in self.crew.stops_at:
+            code = CANNOT_WRITE if trouble.kind == "disk" else NOT_DONE
+            raise BatchError([finding_of(trouble)], code)
+        self.tally.tried_again += 1
+        self.attempts[key] += 1
+        if self.attempts[key] >= self.tries:
+            self.asked.discard(key)
+            self.tally.lost[key] = trouble
+        else:
+            self._send([key])
+
+
+def finding_of(trouble: Trouble, plan_build: str = "", store: str = "the folder of the batch") -> Finding:
+    """What a worker says of itself."""
+    worker, text = trouble.worker or "here", trouble.text
+    if trouble.kind == "disk":
+        return warning("batch-worker-disk-full", f"the worker {worker} cannot write to its disk: {text}: free space in "
+                       "its TMPDIR; its units run elsewhere or later")
+    if trouble.kind == "build":
+        return warning("batch-worker-of-other-build", f"the worker {worker} is refused: it has {text}, and the plan is "
+                       f"of {plan_build or 'another build'}: install the same build there")
+    if trouble.kind == "files":
+        return warning("batch-worker-lacks-files", f"the worker {worker} lacks {text} and does not see {store}: let it "
+                       "share that folder, or run with --ship")
+    if trouble.kind == "program":
+        return warning("batch-worker-lacks-program", f"the worker {worker} has no program fourpost ({text}): install "
+                       "it, or name it by the variable FOURPOST_PROGRAM")
+    return error("batch-unit-lost", f"the worker {worker}: {text}: run the batch again; results so far are kept")

@@ -1,0 +1,269 @@
+"""Batches on this machine: results are those of the program, whoever is killed meanwhile."""
+import json
+import os
+import random
+import re
+import resource
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+from conftest import FOURPOST, SOURCE, STUB, content
+
+from fourpost_batch import Store, Unit, run
+from fourpost_batch.unit import result_text
+
+PLAN = "comparisons:\n  - {study: a.yaml, seeds: 1..%d}\n"
+
+
+def test_results_are_those_of_the_program(starter):
+    starter.write("settings.yaml", "knobs: {spring: {sets: k, values: [18 kN/m, 22 kN/m]}}\nduration: 5 s\ndraws: 20\n")
+    starter.write("plan.yaml", "fits: [{study: car/study.yaml, seeds: 1..2}]\n"
+                               "predictions: [{of: study, recordings: car/stepped_sine.csv}]\n"
+                               "choices: [{of: study, settings: settings.yaml, checks: false}]\n"
+                               "keep: ['*.csv', '*.svg', report.html]\n")
+    told = starter.json("--output=out", "--unpack", program=FOURPOST)
+    assert told["counts"] == {"done": 6, "failed": 0, "blocked": 0, "missing": 0} and told["work"]["paid"] == 6
+
+    def say(*words):
+        return subprocess.run([FOURPOST, *words], cwd=starter.folder, capture_output=True, text=True).stdout
+    say("fit", "car/study.yaml", "-o", "run", "--seed", "2")
+    runs = starter.folder / "out/runs/study"
+    for name in ("result.json", "vehicle.urdf", "report.html", "response.csv"):
+        assert (runs / "seed2" / name).read_bytes() == (starter.folder / "run" / name).read_bytes(), name
+    prediction = say("predict", "run", "--recording", "car/stepped_sine.csv", "--json")
+    assert (runs / "seed2/predict/stepped_sine/result.json").read_text() == prediction
+    chosen = json.loads(say("choose", "run", "--settings", "settings.yaml", "--no-checks", "--json"))
+    of_batch = json.loads((runs / "seed2/choose/settings/result.json").read_text())
+    assert {**of_batch, "run": "run"} == chosen
+    # Serial, elsewhere: the same bytes.
+    starter.run("--output=other", "--workers=1", program=FOURPOST)
+    assert content(starter.folder / "other") == content(starter.folder / "out")
+    # All is there.
+    assert starter.json("--output=out", program=FOURPOST)["work"] == {"found": 6, "paid": 0, "tried_again": 0}
+
+
+def children_named(text):
+    """Numbers of running processes with this word in their command."""
+    found = []
+    for name in os.listdir("/proc"):
+        try:
+            if name.isdigit() and text in open(f"/proc/{name}/cmdline").read():
+                found.append(int(name))
+        except OSError:
+            pass
+    return found
+
+
+def test_half_of_the_workers_are_killed_again_and_again(batch):
+    batch.study("a.yaml", "delay 0.1")
+    batch.write("plan.yaml", PLAN % 60)
+    batch.run("--output=serial", "--workers=4")
+    journal = batch.folder / "journal"
+    batch_run = threading.Thread(target=lambda: batch.run("--output=out", "--workers=4", "--tries=100",
+                                                          FOURPOST_BATCH_JOURNAL=str(journal)))
+    draw, kills = random.Random(1), 0
+    batch_run.start()
+    while batch_run.is_alive() and kills < 10:
+        time.sleep(draw.uniform(0.03, 0.12))
+        mine = [number for number in children_named(f"{STUB}\0compare")
+                if os.path.exists(f"/proc/{number}/cwd") and "unit-" in os.readlink(f"/proc/{number}/cwd")]
+        for number in draw.sample(mine, (len(mine) + 1) // 2):
+            try:
+                os.kill(number, signal.SIGKILL)
+                kills += 1
+            except ProcessLookupError:
+                pass
+    batch_run.join()
+    assert kills >= 10
+    assert content(batch.folder / "out") == content(batch.folder / "serial")
+    lines = [line.split() for line in journal.read_text().splitlines()]
+    paid = [key for _, what, key, _ in lines if what == "paid"]
+    # Nothing lost, nothing twice; what was begun and not paid was killed.
+    assert len(paid) == len(set(paid)) == 60
+    assert 60 < sum(what == "begin" for _, what, _, _ in lines) <= 60 + kills
+
+
+def test_a_killed_batch_goes_on(batch):
+    batch.study("a.yaml", "delay 0.1")
+    batch.write("plan.yaml", PLAN % 20)
+    command = [sys.executable, "-m", "fourpost_batch", "--program", STUB, "--plan", "plan.yaml", "--output=out",
+               "--workers=2"]
+    program = subprocess.Popen(command, cwd=batch.folder, env={**os.environ, "PYTHONPATH": str(SOURCE / "python")},
+                               stdout=subprocess.DEVNULL)
+    end = time.monotonic() + 60
+    while len(list(batch.folder.glob("out/units/*/*.json"))) < 4 and time.monotonic() < end:
+        time.sleep(0.02)
+    program.kill()
+    program.wait()
+    there = len(list(batch.folder.glob("out/units/*/[!.]*.json")))
+    told = batch.json("--output=out")
+    assert there >= 4 and told["work"] == {"found": there, "paid": 20 - there, "tried_again": 0}
+    batch.run("--output=whole")
+    assert content(batch.folder / "out") == content(batch.folder / "whole")
+
+
+def test_ctrl_c_keeps_what_there_is(batch):
+    batch.study("a.yaml", "delay 0.3")
+    batch.write("plan.yaml", PLAN % 30)
+    command = [sys.executable, "-m", "fourpost_batch", "--program", STUB, "--plan", "plan.yaml", "--output=out"]
+    program = subprocess.Popen(command, cwd=batch.folder, env={**os.environ, "PYTHONPATH": str(SOURCE / "python")},
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    end = time.monotonic() + 60
+    while not list(batch.folder.glob("out/units/*/*.json")) and time.monotonic() < end:
+        time.sleep(0.02)
+    program.send_signal(signal.SIGINT)
+    assert "interrupted" in program.communicate()[1] and program.returncode == 130
+
+
+def test_a_unit_that_always_dies_is_given_up(batch):
+    batch.study("a.yaml", "code 137")
+    batch.study("b.yaml", "delay 0")
+    batch.study("c.yaml", f"once {batch.folder}/was_here")
+    batch.write("plan.yaml", "fits: [{study: '?.yaml'}]\npredictions: [{of: '*', recordings: plan.yaml}]")
+    outcome = batch.run("--output=out", "--tries=3", code=75)
+    assert "the unit 'a' has no result: " in outcome.stderr and "[batch-unit-lost]" in outcome.stderr
+    told = batch.json("--output=out", "--tries=3", code=75)
+    assert [unit["state"] for unit in told["units"]] == ["missing", "done", "done", "missing", "done", "done"]
+    assert told["work"] == {"found": 4, "paid": 0, "tried_again": 3}
+
+
+def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
+    batch.study("a.yaml", "code 3")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]\npredictions: [{of: a, recordings: plan.yaml}]")
+    for paid in (1, 0):
+        outcome = batch.run("--output=out", "--json", code=1)
+        told = json.loads(outcome.stdout)
+        assert told["counts"] == {"done": 0, "failed": 1, "blocked": 1, "missing": 0}
+        assert told["work"]["paid"] == paid
+        assert "study.yaml:2: error: it was to fail" in outcome.stderr
+        assert "[batch-unit-failed]" in outcome.stderr and "[batch-unit-blocked]" in outcome.stderr
+
+
+def test_the_same_work_is_done_once(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", "fits: [{study: a.yaml, name: one}, {study: a.yaml, name: two}]")
+    told = batch.json("--output=out")
+    assert told["counts"]["done"] == 2 and told["work"]["paid"] == 1
+    page = (batch.folder / "out/progress.html").read_text()
+    assert "Ended on local" in page and "computed now</td><td>1<" in page
+
+
+def test_a_result_that_a_shared_folder_shows_later_is_waited_for(tmp_path):
+    unit = Unit("a", "comparison", ("{program}",), (), "b")
+    needs = Unit("c", "prediction", ("{program}",), (), "b", after=unit.key)
+    store = Store.make(tmp_path / "out")
+
+    class Crew:
+        stops_at, carries, asked = (), False, []
+
+        def send(self, units):
+            self.asked += [unit for unit, _ in units]
+
+        def receive(self):
+            key = self.asked.pop().key
+            text = result_text(key, {"code": 0, "printed": "", "files": {}, "messages": []})
+            threading.Timer(0.3, store.put, (key, text)).start()
+            return key, ("paid", None)
+
+        def warnings(self):
+            return []
+    tally = run([unit, needs], store, Crew())
+    assert tally.paid == 2 and not tally.lost and store.has(needs.key)
+
+
+def test_an_altered_result_is_computed_again(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", PLAN % 3)
+    batch.run("--output=out")
+    before = content(batch.folder / "out")
+    next(batch.folder.glob("out/units/*/*.json")).write_text("{}")
+    outcome = batch.run("--output=out", "--json")
+    assert json.loads(outcome.stdout)["work"]["paid"] == 1 and "warning: 1 results were altered" in outcome.stderr
+    assert content(batch.folder / "out") == before
+
+
+@pytest.mark.parametrize("size", [1000, 60])
+def test_a_full_disk_ends_a_local_batch_and_keeps_what_is_there(batch, size):
+    """Of the worker, whose program answers 5, and of the batch's folder, where no file may be longer than this."""
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", "comparisons: [{study: a.yaml, seeds: 1..5}]")
+    batch.run("--output=out")
+    before = content(batch.folder / "out")
+    batch.study("b.yaml", "code 5")
+    batch.write("plan.yaml", "comparisons: [{study: [a.yaml, %s.yaml], seeds: 1..6}]" % ("b" if size == 1000 else "a"))
+    if size == 1000:
+        outcome = batch.run("--output=out", code=5)
+        assert "[batch-worker-disk-full]" in outcome.stderr
+    else:
+        batch.write("plan.yaml", "comparisons: [{study: a.yaml, seeds: 1..6}]")
+        command = [sys.executable, "-m", "fourpost_batch", "--program", STUB, "--plan", "plan.yaml", "--output=out"]
+        limit = lambda: (signal.signal(signal.SIGXFSZ, signal.SIG_IGN),  # noqa: E731
+                         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+        outcome = subprocess.run(command, cwd=batch.folder, preexec_fn=limit, capture_output=True, text=True,
+                                 env={**os.environ, "PYTHONPATH": str(SOURCE / "python")})
+        assert outcome.returncode == 5 and "batch" in outcome.stderr
+    kept = content(batch.folder / "out")
+    assert {name: text for name, text in kept.items() if name in before and name.startswith("units")} == {
+        name: text for name, text in before.items() if name.startswith("units")}
+
+
+def test_coverage_is_a_script_of_a_number(batch):
+    batch.write("cars.py", "import sys, helper\nprint('number,square')\nprint(f'{sys.argv[2]},{helper.square(int(sys.argv[2]))}')\n")
+    batch.write("helper.py", "def square(x): return x * x\n")
+    batch.write("plan.yaml", "coverage: [{script: cars.py, files: helper.py, arguments: ['{program}', '{number}'], "
+                             "numbers: 2..4}]")
+    batch.run("--output=out", "--unpack")
+    assert (batch.folder / "out/coverage.csv").read_text() == "number,square\n2,4\n3,9\n4,16\n"
+    assert (batch.folder / "out/runs/cars/3/result.csv").read_text() == "number,square\n3,9\n"
+
+
+def test_the_example_of_python_runs(starter):
+    starter.write("plan.yaml", "fits: [{study: car/study.yaml}]")
+    block = re.search(r"^```python\n(.*?)^```", (SOURCE / "docs/batch.md").read_text(), re.S | re.M)[1]
+    script = block.replace("build/release/fourpost", FOURPOST) + "print(results['study']['code'])\n"
+    outcome = subprocess.run([sys.executable, "-c", script], cwd=starter.folder, capture_output=True, text=True,
+                             env={**os.environ, "PYTHONPATH": str(SOURCE / "python")})
+    assert outcome.stdout == "0\n", outcome.stderr
+
+
+def test_workers_of_a_launcher_share_the_units(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("r.csv", "")
+    batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 1..7}]\npredictions: [{of: a, recordings: r.csv}]")
+    batch.run("--output=serial")
+    paid = [batch.json("--output=out", "--on=launcher", FOURPOST_BATCH_SHARE=f"{rank}/3")["work"]["paid"]
+            for rank in range(3)]
+    assert sorted(paid) == [4, 4, 6]
+    # The last one wrote the tables.
+    assert content(batch.folder / "out") == content(batch.folder / "serial")
+    assert "[batch-launcher-unknown]" in batch.run("--output=out", "--on=launcher", code=2).stderr
+
+
+def test_the_program_refuses_what_it_cannot_run(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", PLAN % 2)
+
+    def say(*words, **environment):
+        return subprocess.run([FOURPOST, "batch", *words], cwd=batch.folder, capture_output=True, text=True,
+                              env={**os.environ, **environment})
+    for words, code, id in ((["-o", "out"], 2, "batch-without-plan"), (["plan.yaml"], 2, "batch-without-output"),
+                            (["plan.yaml", "-o", "out", "--on", "moon"], 2, "batch-place-unknown"),
+                            (["plan.yml", "-o", "out"], 3, "batch-file-missing"),
+                            (["plan.yaml", "-o", "."], 3, "batch-folder-other")):
+        outcome = say(*words)
+        assert outcome.returncode == code and f"[{id}]" in outcome.stderr, outcome.stderr
+    outcome = say("plan.yaml", "-o", "out", FOURPOST_PYTHON="/no/python")
+    assert outcome.returncode == 3 and "[batch-without-python]" in outcome.stderr
+    outcome = say("plan.yaml", "-o", "out", "--on", "slurm", PATH="/nowhere")
+    assert outcome.returncode == 2 and "slurm-client [batch-lacks-package]" in outcome.stderr
+    (batch.folder / "lacking/yaml.py").parent.mkdir()
+    for module, on in (("yaml", "local"), ("distributed", "dask://127.0.0.1:9")):
+        for path in (batch.folder / "lacking").iterdir():
+            path.unlink()
+        (batch.folder / f"lacking/{module}.py").write_text("raise ImportError")
+        outcome = say("plan.yaml", "-o", "out", "--on", on, PYTHONPATH=str(batch.folder / "lacking"))
+        assert outcome.returncode == 2 and "[batch-lacks-package]" in outcome.stderr, outcome.stderr
