@@ -105,7 +105,8 @@ TEST_F(Resume, AfterFiftyKillsGivesTheResultOfAnUninterruptedFitAndPaysForNothin
     for (int i = 0; i < 5; ++i) {
       const std::int64_t rows = RowsOfCopy(archive);
       RunningProgram program(folder_, Fit(folder, study) + " --resume");
-      WaitForRows(program, archive, std::uniform_int_distribution<std::int64_t>(rows, all - 1)(engine));
+      WaitForRows(program, archive,
+                  std::uniform_int_distribution<std::int64_t>(std::min(rows, all - 1), all - 1)(engine));
       program.Signal(SIGKILL);
       const int code = program.Wait();
       // 128 + SIGKILL; or it was done before.

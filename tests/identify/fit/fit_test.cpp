@@ -42,7 +42,8 @@ LoadedStudy Twin(const std::vector<double>& truth, double noise) {
   const CondensedModel model = CondensedVehicle(study.vehicle).At(truth);
   const auto responses = ModelledResponses(model, study.vehicle.sensors, Sines(study).runs);
   std::mt19937_64 engine(5);
-  std::normal_distribution<double> draw(0, noise);
+  std::normal_distribution<double> normal;
+  const auto draw = [&](std::mt19937_64& of) { return noise * normal(of); };
   for (std::size_t r = 0; r < Sines(study).runs.size(); ++r)
     for (MeasuredChannel& channel : Sines(study).runs[r].channels) {
       const ChannelResponse& truth_channel = responses[r].channels[channel.sensor];
