@@ -43,7 +43,7 @@ class Damper(ProgramTest):
         text, count = re.subn(r"search: \{seed: 1.*\}", "search: {seed: 1, starts: 1, evaluations: 60}", study.read_text())
         self.assertEqual(count, 1)
         study.write_text(text)
-        self.run_program("fit", study, "-o", model)
+        self.run_program("fit", study, "-o", model, "--no-suggest")
         return self.result(model)
 
     def result(self, model):

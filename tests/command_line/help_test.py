@@ -35,7 +35,7 @@ class Help(ProgramTest):
         shutil.copy(self.folder / "stepped_sine.csv", self.folder / "rig")
         rover = SOURCE / "urdf/landrover110_model3.urdf"
         for model in ("model1", "model2"):
-            self.run_program("fit", SOURCE / f"studies/damper/{model}.yaml", "-o", f"models/{model}")
+            self.run_program("fit", SOURCE / f"studies/damper/{model}.yaml", "-o", f"models/{model}", "--no-suggest")
         programs = self.folder / "bin"
         programs.mkdir()
         (programs / "fourpost").symlink_to(FOURPOST)

@@ -92,7 +92,7 @@ class Report(ProgramTest):
         self.assertEqual([file.name for file in (self.folder / "run").glob("*.partial")], [])
 
     def test_thins_out_a_giant_recording_and_says_so(self):
-        self.run_program("fit", SOURCE / "studies/single_wheel_station/model1.yaml", "-o", "big")
+        self.run_program("fit", SOURCE / "studies/single_wheel_station/model1.yaml", "-o", "big", "--no-suggest")
         head, units, *rows = (self.folder / "big/history.csv").read_text().splitlines()
         times = head.split(",").index("time")
         step = float(rows[1].split(",")[times]) - float(rows[0].split(",")[times])

@@ -29,7 +29,7 @@ class Station(ProgramTest):
             self.assertIn(old, text)
             text = text.replace(old, new)
         study.write_text(text)
-        self.run_program("fit", study, "-o", model)
+        self.run_program("fit", study, "-o", model, "--no-suggest")
         told = {}
         for recording in ("sweep_12mm", "sweep_7mm"):
             answer = self.run_program("predict", model, "--recording", study.parent / f"{recording}.csv", "--json").stdout
