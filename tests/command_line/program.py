@@ -47,3 +47,24 @@ class ProgramTest(unittest.TestCase):
         path = self.folder / name
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
+
+    def replace_in(self, name, old, new):
+        """In a file, where `old` must occur once: a good file with one thing broken."""
+        text = (self.folder / name).read_text()
+        self.assertEqual(text.count(old), 1, old)
+        return self.write(name, text.replace(old, new))
+
+    @classmethod
+    def make_kept(cls):
+        """The folder `kept`, which all tests of a class share; for setUpClass."""
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.kept = pathlib.Path(folder.name)
+
+    @classmethod
+    def run_kept(cls, *words):
+        """As run_program, in the folder `kept`; its exit code must be 0."""
+        outcome = subprocess.run([FOURPOST, *map(str, words)], cwd=cls.kept, capture_output=True, text=True)
+        if outcome.returncode != 0:
+            raise AssertionError(f"exit code {outcome.returncode}: {outcome.stderr}")
+        return outcome
