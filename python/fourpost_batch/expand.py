@@ -114,17 +114,18 @@ class _Expansion:
         for recording in entry["recordings"]:
             given = f"given/{recording.name}"
             command = ["predict", FIT_FOLDER, "--recording", given, "--json", *options]
-            self._of_runs(entry, f"predict/{recording.stem}", "prediction", command, [(given, recording)])
+            self._of_runs(entry, _named(entry, f"predict/{recording.stem}"), "prediction", command, [(given, recording)])
 
     def _choice(self, entry: Entry) -> None:
         for settings in entry["settings"]:
             given = f"given/{settings.name}"
             options = ["--settings", given, "--threads=1", "--json"] + ["--no-checks"] * (entry.get("checks") is False)
-            self._of_runs(entry, f"choose/{settings.stem}", "choice", ["choose", FIT_FOLDER, *options],
+            name = _named(entry, f"choose/{settings.stem}")
+            self._of_runs(entry, name, "choice", ["choose", FIT_FOLDER, *options],
                           [(given, settings)])
             for vehicle in entry.get("vehicle") or []:
                 files = _relative([vehicle, *_meshes(vehicle)], vehicle.parent) + [(given, settings)]
-                self._add(entry, f"{vehicle.stem}/choose/{settings.stem}", "choice",
+                self._add(entry, f"{vehicle.stem}/{name}", "choice",
                           ["choose", vehicle.name, *options], files)
 
     def _comparison(self, entry: Entry) -> None:
@@ -202,6 +203,11 @@ class _Expansion:
                 self._refuse(entry, "batch-file-missing", f"no file '{path}': {fault.strerror}")
                 self.hashes[path] = ""
         return self.hashes[path]
+
+
+def _named(entry: Entry, name: str) -> str:
+    """With the entry's own name before it, where it has one."""
+    return f"{entry['name']}/{name}" if entry.get("name") else name
 
 
 def _relative(paths: Iterable[pathlib.Path], folder: pathlib.Path) -> Files:

@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 from typing import Callable
 
-from .errors import USAGE, BatchError, Trouble, error
+from .errors import LEAVES, USAGE, BatchError, Trouble, error
 from .run import Tally
 from .unit import Unit
 from .work import Workplace
@@ -37,27 +37,30 @@ def run_launched(units: list[Unit], workplace: Workplace, tries: int,
     try:
         for done, unit in enumerate(mine):
             fit = store.get(unit.after) if unit.after else None
-            if not unit.after or (fit is not None and fit["code"] < 2):
-                _bring(unit, workplace, tries, tally)
+            if (not unit.after or (fit is not None and fit["code"] < 2)) and not _bring(unit, workplace, tries, tally):
+                break
             progress(tally, len(mine) - done - 1)
     finally:
         workplace.close()
     return tally, all(store.path(unit.key).exists() for unit in units)
 
 
-def _bring(unit: Unit, workplace: Workplace, tries: int, tally: Tally) -> None:
+def _bring(unit: Unit, workplace: Workplace, tries: int, tally: Tally) -> bool:
+    """False where this worker can do none of the others either."""
     for attempt in range(tries):
         try:
             how, text = workplace.run(unit)
         except Trouble as trouble:
             tally.tried_again += 1
-            if trouble.kind in ("disk", "build", "files", "program") or attempt + 1 == tries:
+            if trouble.kind in LEAVES or attempt + 1 == tries:
                 tally.lost[unit.key] = trouble
-                return
+                return trouble.kind not in LEAVES
             continue
         if text is not None:
-            tally.lost[unit.key] = Trouble("disk", "the folder of the batch is full", workplace.worker)
-            return
+            full = f"cannot write into {workplace.store.folder}"
+            tally.lost[unit.key] = Trouble("disk", full, workplace.worker)
+            return False
         tally.paid += how == "paid"
         tally.found += how == "found"
-        return
+        return True
+    return True

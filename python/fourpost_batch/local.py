@@ -6,8 +6,8 @@ import os
 import queue
 from typing import Any
 
-from .errors import Finding, Trouble
-from .run import Outcome
+from .errors import LEAVES, NOT_DONE, BatchError, Finding, Trouble
+from .run import Outcome, finding_of
 from .unit import Unit
 from .work import Workplace
 
@@ -15,12 +15,15 @@ from .work import Workplace
 class LocalCrew:
     """A process that is killed loses its unit alone, which is tried again."""
 
-    stops_at = ("disk", "build", "files", "program")
+    stops_at = LEAVES
     carries = False
 
     def __init__(self, workplace: Workplace, workers: int = 0):
         self.workplace = workplace
-        workplace.check()
+        try:
+            workplace.check()
+        except Trouble as trouble:
+            raise BatchError([finding_of(trouble, workplace.build, str(workplace.store.folder))], NOT_DONE) from None
         self._pool = concurrent.futures.ThreadPoolExecutor(workers or os.cpu_count())
         self._answers: queue.SimpleQueue[tuple[str, Outcome | Trouble]] = queue.SimpleQueue()
 
@@ -45,5 +48,7 @@ class LocalCrew:
         return []
 
     def close(self) -> None:
-        self._pool.shutdown(cancel_futures=True)
+        self._pool.shutdown(wait=False, cancel_futures=True)
+        self.workplace.stop()
+        self._pool.shutdown()
         self.workplace.close()

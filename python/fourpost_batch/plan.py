@@ -106,12 +106,19 @@ class _Reader:
 
     def files(self, node: Any, key: str) -> list[pathlib.Path]:
         """Paths and patterns, relative to the plan."""
+        return self._paths(node, key, pathlib.Path.is_file)
+
+    def folders(self, node: Any, key: str) -> list[pathlib.Path]:
+        """The same of folders."""
+        return self._paths(node, key, pathlib.Path.is_dir)
+
+    def _paths(self, node: Any, key: str, fits: Callable[[pathlib.Path], bool]) -> list[pathlib.Path]:
         found: list[pathlib.Path] = []
         for text, item in zip(self.texts(node, key), node.value if node.id == "sequence" else [node]):
             path = self.file.parent / text
             if glob.has_magic(text) and not path.exists():
-                paths = [pathlib.Path(name) for name in sorted(glob.glob(str(path), recursive=True))]
-                paths = [one for one in paths if one.is_file()]
+                names = sorted(glob.glob(text, root_dir=self.file.parent, recursive=True))
+                paths = [one for name in names if fits(one := self.file.parent / name)]
             else:
                 paths = [path] if path.exists() else []
             if not paths:
@@ -131,7 +138,7 @@ class _Reader:
 
 
 R = _Reader
-_RUN = {"of": R.texts, "run": R.files}
+_RUN = {"of": R.texts, "run": R.folders, "name": R.name}
 KEYS: dict[str, dict[str, Callable[[_Reader, Any, str], Any]]] = {
     "fits": {"study": R.files, "name": R.name, "seeds": R.numbers, "set": R.settings, "grow": R.flag,
              "suggest": R.flag, "accept_implausible": R.flag, "accept_unidentified": R.flag, "profile": R.texts},

@@ -10,7 +10,7 @@ import subprocess
 import time
 from typing import Any, Callable
 
-from .errors import NOT_DONE, USAGE, BatchError, Finding, Trouble, error
+from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble, error
 from .run import Tally, finding_of
 from .store import Store, write_whole
 from .unit import Unit
@@ -36,10 +36,12 @@ def run_share(units: list[Unit], workplace: Workplace, troubles: pathlib.Path) -
     lost: list[dict[str, str]] = []
     for unit in units:
         try:
-            workplace.run(unit)
+            _, text = workplace.run(unit)
+            if text is not None:
+                raise Trouble("disk", f"cannot write into {workplace.store.folder}", workplace.worker)
         except Trouble as trouble:
             lost.append({"key": unit.key, "kind": trouble.kind, "text": trouble.text, "worker": trouble.worker})
-            if trouble.kind in ("disk", "build", "files", "program"):
+            if trouble.kind in LEAVES:
                 break
     if lost:
         troubles.parent.mkdir(exist_ok=True)
@@ -116,7 +118,8 @@ class Slurm:
         write_task_file(task_file, units, shares, self.workplace)
         script = self.folder / f"{name}.sh"
         script.write_text("#!/bin/sh\n"
-                          f"program={shlex.quote(self.workplace.hint)}\n"
+                          f"hint={shlex.quote(self.workplace.hint)}\n"
+                          'program="${FOURPOST_PROGRAM:-$hint}"\n'
                           '[ -x "$program" ] || program=fourpost\n'
                           f'exec "$program" batch --task {shlex.quote(str(task_file))}\n')
         command = ["sbatch", "--parsable", "--requeue", f"--array=0-{shares - 1}", "--job-name=fourpost",
@@ -168,7 +171,7 @@ class Slurm:
             for one in json.loads(path.read_text()):
                 trouble = Trouble(one["kind"], one["text"], one["worker"])
                 found[one["key"]] = trouble
-                if trouble.kind in ("disk", "build", "files", "program"):
+                if trouble.kind in LEAVES:
                     self._warn(finding_of(trouble, self.workplace.build, str(self.store.folder)), tally)
         return found
 

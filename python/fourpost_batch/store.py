@@ -40,7 +40,11 @@ def write_whole(path: pathlib.Path, content: bytes) -> None:
     """All of it or nothing, also where others write the same. Raises OSError."""
     beside = path.parent / f".{socket.gethostname()}.{os.getpid()}.{threading.get_ident()}.{next(_count)}"
     try:
-        beside.write_bytes(content)
+        with open(beside, "wb") as stream:
+            stream.write(content)
+            # On the disk before it has its name, so that a power failure leaves no empty file of that name.
+            stream.flush()
+            os.fsync(stream.fileno())
         os.replace(beside, path)
     except BaseException:
         beside.unlink(missing_ok=True)
@@ -60,7 +64,9 @@ class Store:
         """That of a new or empty folder, or of a batch. Raises BatchError for another one, OSError."""
         store = Store(folder)
         if not (store.folder / MARK).exists():
-            if store.folder.is_dir() and any(not name.startswith(".") for name in os.listdir(store.folder)):
+            names = os.listdir(store.folder) if store.folder.is_dir() else []
+            # Another one may have begun meanwhile.
+            if MARK not in names and any(not name.startswith(".") for name in names):
                 text = "holds files that are not those of a batch: name an empty or a new folder"
                 raise BatchError([error("batch-folder-other", text, folder)], UNREADABLE)
             store.folder.mkdir(parents=True, exist_ok=True)
@@ -117,9 +123,9 @@ class Store:
     def add_file(self, path: str | os.PathLike[str], digest: str) -> None:
         """Keeps an input for workers. Raises OSError, and BatchError for a file that changes meanwhile."""
         target = self.file(digest)
-        if target.exists() and target.stat().st_size == os.stat(path).st_size:
+        if target.exists() and file_hash(target) == digest:
             return
-        beside = target.parent / f".{os.getpid()}.{next(_count)}"
+        beside = target.parent / f".{socket.gethostname()}.{os.getpid()}.{next(_count)}"
         try:
             shutil.copyfile(path, beside)
             if file_hash(beside) != digest:

@@ -38,7 +38,7 @@ def states(units: Iterable[Unit], store: Store | None) -> list[State]:
     for unit in units:
         code = codes.get(unit.key)
         if code is not None:
-            state = "done" if code < 2 else "failed"
+            state = "done" if code < (1 if unit.kind == "coverage" else 2) else "failed"
         else:
             state = "blocked" if codes.get(unit.after, 0) >= 2 else "missing"
         found.append(State(unit, state, code, store))
@@ -54,6 +54,9 @@ def write_tables(found: list[State], store: Store) -> None:
     for name, text in tables.items():
         if text:
             write_whole(store.folder / f"{name}.csv", text.encode("utf-8", "surrogateescape"))
+        else:
+            # Of a plan that had such units before.
+            (store.folder / f"{name}.csv").unlink(missing_ok=True)
 
 
 def unpack(found: list[State], store: Store) -> None:

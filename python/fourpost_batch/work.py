@@ -60,6 +60,7 @@ class Workplace:
         self.journal = os.environ.get("FOURPOST_BATCH_JOURNAL")
         self._scratch: pathlib.Path | None = None
         self._lock = threading.Lock()
+        self._running: set[subprocess.Popen[bytes]] = set()
         self._killer = [path, "--pdeathsig", "KILL", "--"] if (path := shutil.which("setpriv")) else []
 
     def check(self) -> None:
@@ -100,6 +101,25 @@ class Workplace:
             return "paid", text
         self._note("paid", key)
         return "paid", None
+
+    def stop(self) -> None:
+        """Ends the units that are running; they are lost."""
+        for process in list(self._running):
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+
+    def _outcome(self, words: list[str], place: pathlib.Path) -> tuple[int, bytes, bytes]:
+        """Exit code, what was printed, messages."""
+        with subprocess.Popen(self._killer + words, cwd=place, env=_environment(), stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True) as process:
+            self._running.add(process)
+            try:
+                printed, said = process.communicate()
+            finally:
+                self._running.discard(process)
+        return process.returncode, printed, said
 
     def close(self) -> None:
         if self._scratch is not None:
@@ -172,19 +192,18 @@ class Workplace:
         place = self._lay(unit, fit, folder)
         words = [self.program if word == "{program}" else sys.executable if word == "{python}" else word
                  for word in unit.command]
-        outcome = subprocess.run(self._killer + words, cwd=place, env=_environment(), stdin=subprocess.DEVNULL,
-                                 capture_output=True, start_new_session=True)
-        messages = outcome.stderr.decode("utf-8", "replace").splitlines()
-        self._judge(unit, outcome.returncode, messages)
+        code, output, said = self._outcome(words, place)
+        messages = said.decode("utf-8", "replace").splitlines()
+        self._judge(unit, code, messages)
         files = {}
-        if unit.kind == "fit" and outcome.returncode < 2:
+        if unit.kind == "fit" and code < 2:
             for path in sorted((place / FIT_FOLDER).iterdir()):
                 if any(fnmatch.fnmatch(path.name, pattern) for pattern in unit.keep):
                     files[path.name] = path.read_bytes().decode("utf-8", "surrogateescape")
-        printed = "" if unit.kind == "fit" else outcome.stdout.decode("utf-8", "surrogateescape")
+        printed = "" if unit.kind == "fit" else output.decode("utf-8", "surrogateescape")
         if '"interrupted": true' in printed or '"termination": "interrupted"' in files.get("result.json", ""):
             raise Trouble("lost", "it was interrupted", self.worker)
-        return {"code": outcome.returncode, "printed": printed, "files": files,
+        return {"code": code, "printed": printed, "files": files,
                 "messages": [line for line in messages if FINDING.search(line)]}
 
     def _judge(self, unit: Unit, code: int, messages: list[str]) -> None:
@@ -196,6 +215,6 @@ class Workplace:
             raise Trouble("disk", last, self.worker)
         if code == 71:
             raise Trouble("memory", last, self.worker)
-        # A script may fail for any reason.
-        if code not in RESULT_CODES or (unit.kind == "coverage" and code != 0):
+        # A script that ends by itself would do so again.
+        if code not in RESULT_CODES and unit.kind != "coverage":
             raise Trouble("failed", f"code {code}: {last}", self.worker)

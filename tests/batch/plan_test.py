@@ -38,6 +38,25 @@ def test_a_plan_becomes_units(batch):
     assert "--methods=de,gb" in units[12].command
 
 
+def test_an_entry_may_have_a_name(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("r.csv", "x")
+    units = units_of(batch, "fits: [{study: a.yaml}]\npredictions:\n"
+                            "  - {of: a, recordings: r.csv, engine: reduced, name: fast}\n"
+                            "  - {of: a, recordings: r.csv, engine: full, name: sure}\n")
+    assert [unit.name for unit in units] == ["a", "a/fast/predict/r", "a/sure/predict/r"]
+
+
+@pytest.mark.parametrize("folder", ["plain", "p[1]"])
+def test_runs_are_folders_and_patterns_of_them(batch, folder):
+    there = type(batch)(batch.folder / folder)
+    there.write("r.csv", "x")
+    for name in ("one", "two"):
+        there.write(f"runs/{name}/result.json", '{"versions": {"fourpost": "0.2.0"}}')
+    units = units_of(there, "predictions: [{run: runs/*, recordings: r.csv}]")
+    assert [unit.name for unit in units] == ["one/predict/r", "two/predict/r"]
+
+
 def test_a_key_is_that_of_the_inputs(batch):
     batch.study("a.yaml", "delay 0")
     unit, = units_of(batch, "fits: [{study: a.yaml}]")

@@ -13,8 +13,11 @@ import time
 import pytest
 from conftest import FOURPOST, SOURCE, STUB, content
 
-from fourpost_batch import Store, Unit, run
+from fourpost_batch import Program, Store, Unit, expand, read_plan, run
+from fourpost_batch.launcher import run_launched
+from fourpost_batch.slurm import run_share
 from fourpost_batch.unit import result_text
+from fourpost_batch.work import Workplace
 
 PLAN = "comparisons:\n  - {study: a.yaml, seeds: 1..%d}\n"
 
@@ -46,12 +49,12 @@ def test_results_are_those_of_the_program(starter):
     assert starter.json("--output=out", program=FOURPOST)["work"] == {"found": 6, "paid": 0, "tried_again": 0}
 
 
-def children_named(text):
-    """Numbers of running processes with this word in their command."""
+def units_running(text):
+    """Numbers of processes of units with this word in their command."""
     found = []
     for name in os.listdir("/proc"):
         try:
-            if name.isdigit() and text in open(f"/proc/{name}/cmdline").read():
+            if name.isdigit() and text in open(f"/proc/{name}/cmdline").read() and "unit-" in os.readlink(f"/proc/{name}/cwd"):
                 found.append(int(name))
         except OSError:
             pass
@@ -69,8 +72,7 @@ def test_half_of_the_workers_are_killed_again_and_again(batch):
     batch_run.start()
     while batch_run.is_alive() and kills < 10:
         time.sleep(draw.uniform(0.03, 0.12))
-        mine = [number for number in children_named(f"{STUB}\0compare")
-                if os.path.exists(f"/proc/{number}/cwd") and "unit-" in os.readlink(f"/proc/{number}/cwd")]
+        mine = units_running(f"{STUB}\0compare")
         for number in draw.sample(mine, (len(mine) + 1) // 2):
             try:
                 os.kill(number, signal.SIGKILL)
@@ -107,8 +109,9 @@ def test_a_killed_batch_goes_on(batch):
 
 
 def test_ctrl_c_keeps_what_there_is(batch):
-    batch.study("a.yaml", "delay 0.3")
-    batch.write("plan.yaml", PLAN % 30)
+    batch.study("a.yaml", "delay 0")
+    batch.study("b.yaml", "delay 600")
+    batch.write("plan.yaml", "comparisons: [{study: [a.yaml, b.yaml], seeds: 1..4}]")
     command = [sys.executable, "-m", "fourpost_batch", "--program", STUB, "--plan", "plan.yaml", "--output=out"]
     program = subprocess.Popen(command, cwd=batch.folder, env={**os.environ, "PYTHONPATH": str(SOURCE / "python")},
                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -116,7 +119,8 @@ def test_ctrl_c_keeps_what_there_is(batch):
     while not list(batch.folder.glob("out/units/*/*.json")) and time.monotonic() < end:
         time.sleep(0.02)
     program.send_signal(signal.SIGINT)
-    assert "interrupted" in program.communicate()[1] and program.returncode == 130
+    # Nor does it wait for units of minutes.
+    assert "interrupted" in program.communicate(timeout=60)[1] and program.returncode == 130
 
 
 def test_a_unit_that_always_dies_is_given_up(batch):
@@ -219,6 +223,41 @@ def test_coverage_is_a_script_of_a_number(batch):
     batch.run("--output=out", "--unpack")
     assert (batch.folder / "out/coverage.csv").read_text() == "number,square\n2,4\n3,9\n4,16\n"
     assert (batch.folder / "out/runs/cars/3/result.csv").read_text() == "number,square\n3,9\n"
+
+
+def test_a_script_that_ends_by_itself_is_not_tried_again(batch):
+    batch.write("cars.py", f"open('{batch.folder}/began', 'a').write('x')\nraise SystemExit(1)\n")
+    batch.write("plan.yaml", "coverage: [{script: cars.py, arguments: [], numbers: 1}]")
+    assert batch.json("--output=out", code=1)["counts"]["failed"] == 1
+    assert (batch.folder / "began").read_text() == "x"
+
+
+def test_tables_are_those_of_the_plan(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("r.csv", "")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]\npredictions: [{of: a, recordings: r.csv}]")
+    batch.run("--output=out")
+    assert (batch.folder / "out/predictions.csv").exists()
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]")
+    batch.run("--output=out")
+    assert not (batch.folder / "out/predictions.csv").exists()
+
+
+def test_a_full_folder_ends_the_share_of_a_worker(batch, monkeypatch):
+    """Of a task of Slurm's, and of a launcher's worker: what is computed could not be kept."""
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", PLAN % 5)
+    units = list(expand(read_plan(batch.folder / "plan.yaml"), Program(STUB)).units)
+    store = Store.make(batch.folder / "out")
+    computed = []
+    monkeypatch.setattr(Workplace, "run", lambda self, unit: computed.append(unit) or ("paid", b"result"))
+    workplace = Workplace(str(store.folder), store.id, units[0].build, str(STUB))
+    troubles = batch.folder / "troubles/0.json"
+    assert not run_share(units, workplace, troubles)
+    assert [one["kind"] for one in json.loads(troubles.read_text())] == ["disk"] and len(computed) == 1
+    monkeypatch.setenv("FOURPOST_BATCH_SHARE", "0/1")
+    tally, _ = run_launched(units, workplace, 3, lambda tally, left: None)
+    assert [trouble.kind for trouble in tally.lost.values()] == ["disk"] and len(computed) == 2
 
 
 def test_the_example_of_python_runs(starter):

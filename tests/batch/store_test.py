@@ -9,6 +9,7 @@ import pytest
 from conftest import SOURCE
 
 from fourpost_batch import BatchError, Store
+from fourpost_batch.store import file_hash
 from fourpost_batch.unit import read_result, result_text
 
 RESULT = {"code": 0, "printed": "1\n", "files": {"a": "x\udcff"}, "messages": []}
@@ -64,6 +65,16 @@ def test_writers_that_are_killed_leave_no_half_results(tmp_path):
         writer.stdout.close()
     assert len(store.get(KEY)["printed"]) == 3000000 and not store.damaged
     assert list(store.keys()) == [KEY]
+
+
+def test_an_input_that_was_altered_in_the_folder_is_kept_anew(tmp_path):
+    store = Store.make(tmp_path / "out")
+    (tmp_path / "a").write_bytes(b"content")
+    digest = file_hash(tmp_path / "a")
+    store.add_file(tmp_path / "a", digest)
+    store.file(digest).write_bytes(b"-------")
+    store.add_file(tmp_path / "a", digest)
+    assert store.file(digest).read_bytes() == b"content"
 
 
 def test_an_input_that_changes_meanwhile_is_refused(tmp_path):
