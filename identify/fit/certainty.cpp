@@ -70,6 +70,7 @@ class Optimum {
 
   /// judged x causes: by what the judged parameters give way to changes of the data's residuals.
   Eigen::MatrixXd MovedBy(const Eigen::MatrixXd& changes, const std::vector<Index>& judged) const {
+    if (judged.empty()) return Eigen::MatrixXd::Zero(0, changes.cols());
     const Eigen::MatrixXd hessian = Hessian(weights_)(judged, judged);
     const Eigen::MatrixXd pull = jacobian_(Eigen::all, judged).transpose() * weights_.asDiagonal() * changes;
     return LeastNorm(hessian).Solve(pull);
@@ -249,6 +250,8 @@ double Certainty::SdAboutEnds(Index parameter) const {
 }
 
 void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left) {
+  // Where the residuals that are left determine a parameter no more, nothing is known of it.
+  if (!moved.allFinite() || !left.covariance.allFinite()) return;
   missing = std::move(names);
   by_missing = std::move(moved);
   // Second moment about one end of what is uniform between both.

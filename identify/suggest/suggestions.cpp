@@ -161,6 +161,7 @@ class Suggester {
     TestAll(fitted, trials);
     std::vector<Trial*> best = BestOfEach(trials, before);
     Confirm(fitted, before, best);
+    result_.is_interrupted = hooks_.IsStopped();
     LeaveOutParts(best);
     Describe(fitted, before, best);
     Join(fitted, best);

@@ -2,6 +2,7 @@
 import csv
 import json
 import random
+import re
 import unittest
 
 from program import ProgramTest
@@ -39,10 +40,10 @@ class Calibration(ProgramTest):
             )
         self.write("car/stepped_sine.csv", "\n".join(lines) + "\n")
 
-    def fit(self, stated):
+    def fit(self, stated, code=0):
         study = (self.folder / "car/study.yaml").read_text()
         self.write("car/stated.yaml", stated + study)
-        self.run_program("fit", "car/stated.yaml", "-o", "run", "--no-suggest", "--accept-implausible")
+        self.run_program("fit", "car/stated.yaml", "-o", "run", "--no-suggest", "--accept-implausible", code=code)
         return json.loads((self.folder / "run/result.json").read_text())
 
     def test_finds_planted_errors(self):
@@ -67,6 +68,18 @@ class Calibration(ProgramTest):
             return [abs(one["value"] / self.truth[one["name"]] - 1) for one in result["parameters"]]
 
         self.assertLess(sum(errors(self.fit(STATED))), 0.6 * sum(errors(self.fit(""))))
+
+    def test_says_nothing_of_parameters_that_are_all_at_bounds(self):
+        self.record(5)
+        vehicle = (self.folder / "car/vehicle.urdf").read_text()
+        start = vehicle.index('<fp:parameter name="k"')
+        stiff = re.sub('value="[^"]*"(.*?)lower="[^"]*"(.*?)upper="[^"]*"', r'value="9 kN/m"\1lower="8 kN/m"\2upper="10 kN/m"',
+                       vehicle[start:], count=1, flags=re.S)
+        self.write("car/vehicle.urdf", vehicle[:start] + stiff)
+        study = self.folder / "car/study.yaml"
+        study.write_text(re.sub("^free: .*$", "free: [k]", study.read_text(), flags=re.M))
+        parameter, = self.fit(STATED, code=1)["parameters"]
+        self.assertEqual((parameter["state"], parameter["value"]), ("at_bound", 10e3))
 
     def test_names_one_beyond_its_statement(self):
         self.record(3, post_late=5e-3)
