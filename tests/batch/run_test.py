@@ -28,8 +28,8 @@ def test_results_are_those_of_the_program(starter):
                                "predictions: [{of: study, recordings: car/stepped_sine.csv}]\n"
                                "choices: [{of: study, settings: settings.yaml, checks: false}]\n"
                                "keep: ['*.csv', '*.svg', report.html]\n")
-    told = starter.json("--output=out", "--unpack", program=FOURPOST)
-    assert told["counts"] == {"done": 6, "failed": 0, "blocked": 0, "missing": 0} and told["work"]["paid"] == 6
+    answer = starter.json("--output=out", "--unpack", program=FOURPOST)
+    assert answer["counts"] == {"done": 6, "failed": 0, "blocked": 0, "missing": 0} and answer["work"]["paid"] == 6
 
     def say(*words):
         return subprocess.run([FOURPOST, *words], cwd=starter.folder, capture_output=True, text=True).stdout
@@ -102,8 +102,8 @@ def test_a_killed_batch_goes_on(batch):
     program.kill()
     program.wait()
     there = len(list(batch.folder.glob("out/units/*/[!.]*.json")))
-    told = batch.json("--output=out")
-    assert there >= 4 and told["work"] == {"found": there, "paid": 20 - there, "tried_again": 0}
+    answer = batch.json("--output=out")
+    assert there >= 4 and answer["work"] == {"found": there, "paid": 20 - there, "tried_again": 0}
     batch.run("--output=whole")
     assert content(batch.folder / "out") == content(batch.folder / "whole")
 
@@ -130,9 +130,9 @@ def test_a_unit_that_always_dies_is_given_up(batch):
     batch.write("plan.yaml", "fits: [{study: '?.yaml'}]\npredictions: [{of: '*', recordings: plan.yaml}]")
     outcome = batch.run("--output=out", "--tries=3", code=75)
     assert "the unit 'a' has no result: " in outcome.stderr and "[batch-unit-lost]" in outcome.stderr
-    told = batch.json("--output=out", "--tries=3", code=75)
-    assert [unit["state"] for unit in told["units"]] == ["missing", "done", "done", "missing", "done", "done"]
-    assert told["work"] == {"found": 4, "paid": 0, "tried_again": 3}
+    answer = batch.json("--output=out", "--tries=3", code=75)
+    assert [unit["state"] for unit in answer["units"]] == ["missing", "done", "done", "missing", "done", "done"]
+    assert answer["work"] == {"found": 4, "paid": 0, "tried_again": 3}
 
 
 def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
@@ -140,9 +140,9 @@ def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
     batch.write("plan.yaml", "fits: [{study: a.yaml}]\npredictions: [{of: a, recordings: plan.yaml}]")
     for paid in (1, 0):
         outcome = batch.run("--output=out", "--json", code=1)
-        told = json.loads(outcome.stdout)
-        assert told["counts"] == {"done": 0, "failed": 1, "blocked": 1, "missing": 0}
-        assert told["work"]["paid"] == paid
+        answer = json.loads(outcome.stdout)
+        assert answer["counts"] == {"done": 0, "failed": 1, "blocked": 1, "missing": 0}
+        assert answer["work"]["paid"] == paid
         assert "study.yaml:2: error: it was to fail" in outcome.stderr
         assert "[batch-unit-failed]" in outcome.stderr and "[batch-unit-blocked]" in outcome.stderr
 
@@ -150,8 +150,8 @@ def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
 def test_the_same_work_is_done_once(batch):
     batch.study("a.yaml", "delay 0")
     batch.write("plan.yaml", "fits: [{study: a.yaml, name: one}, {study: a.yaml, name: two}]")
-    told = batch.json("--output=out")
-    assert told["counts"]["done"] == 2 and told["work"]["paid"] == 1
+    answer = batch.json("--output=out")
+    assert answer["counts"]["done"] == 2 and answer["work"]["paid"] == 1
     page = (batch.folder / "out/progress.html").read_text()
     assert "Ended on local" in page and "computed now</td><td>1<" in page
 

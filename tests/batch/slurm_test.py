@@ -31,8 +31,8 @@ def test_results_are_those_of_a_serial_run(starter):
     starter.write("plan.yaml", "fits: [{study: car/study.yaml, seeds: 1..4}]\n"
                                "predictions: [{of: study, recordings: car/stepped_sine.csv}]\n")
     starter.run("--output=serial", program=FOURPOST)
-    told = starter.json("--output=out", "--on=slurm", "--workers=2", program=FOURPOST, **prepared(starter, FOURPOST))
-    assert told["work"] == {"found": 0, "paid": 8, "tried_again": 2}
+    answer = starter.json("--output=out", "--on=slurm", "--workers=2", program=FOURPOST, **prepared(starter, FOURPOST))
+    assert answer["work"] == {"found": 0, "paid": 8, "tried_again": 2}
     assert content(starter.folder / "out") == content(starter.folder / "serial")
 
 

@@ -1,0 +1,149 @@
+"""`fourpost fit` of the Land Rover's recordings: what it prints and writes, and the vehicle that comes of it."""
+import json
+import math
+import shutil
+import unittest
+
+from program import SOURCE, ProgramTest
+
+VEHICLE = "urdf/landrover110_linkage.urdf"
+MODEL1 = "studies/landrover110/model1.yaml"
+MODEL2 = "studies/landrover110/model2.yaml"
+PARTS = ("urdf", "meshes", "studies/landrover110")
+
+
+class FitTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.copy(*PARTS)
+
+    def read(self, name):
+        return (self.folder / name).read_text()
+
+    def result(self):
+        return json.loads(self.read("result/result.json"))
+
+
+class Fit(FitTest):
+    """One fit serves the tests of what it writes."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.make_kept()
+        for part in PARTS:
+            shutil.copytree(SOURCE / part, cls.kept / part)
+        cls.answer = cls.run_kept("fit", "--no-suggest", MODEL2, "-o", "result", "--seed", "3", "--threads", "2").stdout
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.kept / "result", self.folder / "result")
+
+    def test_prints_parameters_and_errors(self):
+        for part in ("m_sprung", "rms dB", "\nrecording  rms dB  rms deg  NMSE, %\nbounce "):
+            self.assertIn(part, self.answer)
+
+    def test_writes_its_result(self):
+        result = self.result()
+        self.assertEqual(result["termination"], "converged")
+        self.assertEqual(result["seed"], 3)
+        self.assertEqual(len(result["recordings"]), 2)
+        self.assertEqual(result["recordings"][1]["name"], "pitch")
+        self.assertGreater(result["recordings"][1]["nmse_percent"], 0)
+        self.assertGreater(result["cost"], 0)
+        self.assertGreater(result["evaluations"]["paid"], 300)
+        self.assertEqual(result["evaluations"]["failed"], 0)
+        # The objective is smooth enough for every refinement to find the one optimum.
+        self.assertEqual(result["starts"]["agreeing"], result["starts"]["refined"])
+        self.assertIs(result["starts"]["runs"][0]["agrees"], True)
+        self.assertIn("reused", result["evaluations"])
+        self.assertEqual(len(result["parameters"]), 12)
+        for parameter in result["parameters"]:
+            self.assertGreaterEqual(parameter["value"], parameter["lower"])
+            self.assertLessEqual(parameter["value"], parameter["upper"])
+            self.assertIsInstance(parameter["sd"], (int, float), parameter)
+            self.assertIsInstance(parameter["at_bound"], bool)
+        self.assertEqual(result["parameters"][0]["unit"], "kg")
+        self.assertEqual(len(result["channels"]), 11)
+        self.assertIn("simbody", result["versions"])
+
+    def test_writes_the_response(self):
+        # Two recordings of 64 frequencies, 11 channels, and the header.
+        self.assertEqual(self.read("result/response.csv").count("\n"), 2 * 64 * 11 + 1)
+        self.assertTrue(self.read("result/response.svg").startswith("<svg"))
+
+    def test_writes_a_vehicle_that_check_accepts(self):
+        check = self.run_program("check", "result/vehicle.urdf", "--json")
+        self.assertEqual(check.stderr, "")
+        values = {parameter["name"]: parameter["value"] for parameter in json.loads(check.stdout)["parameters"]}
+        fitted = {parameter["name"]: parameter["value"] for parameter in self.result()["parameters"]}
+        self.assertEqual({name: values[name] for name in fitted}, fitted)
+
+    def test_replaces_an_earlier_result(self):
+        self.run_program("fit", "--no-suggest", MODEL2, "-o", "result")
+        # That of the study, where the earlier one was asked for.
+        self.assertEqual(self.result()["seed"], 1)
+
+
+class FitOnce(FitTest):
+    def test_names_parameters_far_from_their_priors(self):
+        self.replace_in(VEHICLE, 'value="1725 kg"', 'value="1725 kg" prior_sd="10 kg"')
+        fit = self.run_program("fit", "--no-suggest", MODEL2, "-o", "result", "--threads", "2")
+        self.assertRegex(fit.stdout, "m_sprung .* kg .* [3-9]\\.[0-9] sd from prior\n")
+        self.assertIn(" for 2551 residuals, of which priors ", fit.stdout)
+        mass, *others = self.result()["parameters"]
+        self.assertEqual(mass["prior"]["value"], 1725)
+        self.assertEqual(mass["prior"]["sd"], 10)
+        self.assertLess(mass["sd_parts"]["noise"], 10)
+        self.assertLessEqual(mass["sd_parts"]["model"], 10.1)
+        self.assertEqual(len(others), 11)
+        for parameter in others:
+            self.assertNotIn("prior", parameter)
+        # The fitted value is no prior.
+        self.assertNotIn("prior_sd", self.read("result/vehicle.urdf"))
+        self.run_program("check", "result/vehicle.urdf")
+
+    def test_is_the_same_for_one_and_two_threads(self):
+        one = self.run_program("fit", MODEL2, "-o", "one", "--threads", "1", "--json").stdout
+        two = self.run_program("fit", MODEL2, "-o", "two", "--threads", "2", "--json").stdout
+        self.assertEqual(one, two)
+        self.assertEqual(one, self.read("one/result.json"))
+        for name in ("vehicle.urdf", "response.csv"):
+            self.assertEqual(self.read(f"one/{name}"), self.read(f"two/{name}"))
+
+    def test_prints_profiles_of_the_parameters_asked(self):
+        fit = self.run_program("fit", "--no-suggest", MODEL1, "-o", "result", "--profile", "k_front,m_front")
+        self.assertIn("95 % by profile", fit.stdout)
+        result = self.result()
+        self.assertEqual(len(result["profiles"]), 2)
+        parameters = {parameter["name"]: parameter for parameter in result["parameters"]}
+        for profile in result["profiles"]:
+            parameter = parameters[profile["name"]]
+            # A profile sees noise alone.
+            value = parameter["value"]
+            reach = 1.96 * parameter["sd_parts"]["noise"] / value
+            width = value * (math.exp(reach) - math.exp(-reach))
+            # The model bends a little: a tenth.
+            for end, expected in zip(profile["interval_95"], (math.exp(-reach), math.exp(reach)), strict=True):
+                self.assertAlmostEqual(end, value * expected, delta=0.1 * width, msg=profile["name"])
+        self.assertIn("k_front, kN/m", self.read("result/profile.svg"))
+        self.assertIn("95 % by profile", self.read("result/report.html"))
+
+    def test_refuses_a_profile_of_an_unknown_parameter(self):
+        unknown = self.run_program("fit", MODEL1, "-o", "other", "--profile", "k_frnt", code=2)
+        self.assertIn("the study frees no parameter 'k_frnt', did you mean 'k_front'?", unknown.stderr)
+        self.assertFalse((self.folder / "other").exists())
+
+    def test_does_not_overwrite_what_is_not_its_own(self):
+        (self.folder / "thesis").mkdir()
+        self.write("thesis/chapter1.tex", "years of work")
+        outcome = self.run_program("fit", "--no-suggest", MODEL2, "-o", "thesis", code=5)
+        self.assertIn("thesis", outcome.stderr)
+        self.assertEqual(self.read("thesis/chapter1.tex"), "years of work")
+
+    def test_does_not_write_over_its_inputs(self):
+        outcome = self.run_program("fit", MODEL2, "-o", "studies/landrover110", code=5)
+        self.assertIn("holds the input model2.yaml", outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
