@@ -6,7 +6,8 @@
 
 namespace fourpost {
 
-// Eigen's decompositions of dense matrices behind plain types, so that one source compiles them.
+// Eigen's decompositions of dense matrices behind plain types, so that one source compiles them. Matrices without rows
+// or columns have none of Eigen's, but values all the same.
 
 /// Right eigenvectors, as columns of norm 1, and eigenvalues of a square matrix.
 struct Eigenpairs {
@@ -42,8 +43,6 @@ SingularValues SingularValuesOf(const Eigen::MatrixXd& matrix, SingularValues::S
 /// The shortest of the best solutions of A x = b, also of a matrix without full rank.
 class LeastNorm {
  public:
-  /// Of no equations: solves for nothing.
-  LeastNorm();
   /// `threshold`: pivots below this share of the largest count as zero.
   explicit LeastNorm(const Eigen::MatrixXd& matrix);
   LeastNorm(const Eigen::MatrixXd& matrix, double threshold);

@@ -70,7 +70,6 @@ class Optimum {
 
   /// judged x causes: by what the judged parameters give way to changes of the data's residuals.
   Eigen::MatrixXd MovedBy(const Eigen::MatrixXd& changes, const std::vector<Index>& judged) const {
-    if (judged.empty()) return Eigen::MatrixXd::Zero(0, changes.cols());
     const Eigen::MatrixXd hessian = Hessian(weights_)(judged, judged);
     const Eigen::MatrixXd pull = jacobian_(Eigen::all, judged).transpose() * weights_.asDiagonal() * changes;
     return LeastNorm(hessian).Solve(pull);
@@ -249,6 +248,10 @@ double Certainty::SdAboutEnds(Index parameter) const {
   return variance < 0 ? 0 : std::sqrt(variance);  // NaN of one without a deviation
 }
 
+double Certainty::HalfWidth(Index parameter) const {
+  return covariance.reach_95 * SdAboutEnds(parameter) + std::abs(MovedByMissing()[parameter]) / 2;
+}
+
 void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left) {
   // Where the residuals that are left determine a parameter no more, nothing is known of it.
   if (!moved.allFinite() || !left.covariance.allFinite()) return;
@@ -295,35 +298,58 @@ std::vector<Contradiction> Certainty::Contradictions() const {
   return found;
 }
 
+namespace {
+
+/// At the file's values; nothing where it cannot be evaluated or the user stops it.
+std::optional<Eigen::MatrixXd> JacobianOf(const VehicleObjective& objective, const RefineOptions& refine, int threads,
+                                          const std::function<bool()>& stop, std::int64_t& evaluated) {
+  if (objective.free().empty() || stop()) return std::nullopt;
+  Archive archive(objective.MakeProblem(), threads);
+  archive.StopBatches(stop);
+  const FitVariables variables(archive.lattice());
+  std::optional<Eigen::MatrixXd> jacobian;
+  try {
+    const Eigen::VectorXd at = objective.FileValues();
+    const Evaluation here = archive.EvaluateValues({at}).front();
+    if (here.ok())
+      jacobian = DifferenceJacobian(archive, variables, variables.FromValues(at), here.residuals,
+                                    refine.DifferenceStep(archive.problem()), Differences::kAutomatic);
+  } catch (const BatchStopped&) {
+  }
+  evaluated += archive.counts().paid;
+  return jacobian;
+}
+
+}  // namespace
+
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated) {
-  HeldParameters held = {.places = PlacesHeld(objective), .variable_sd = {}, .jacobian = {}};
-  if (held.places.empty() || stop()) return {};
+  const std::vector<std::size_t> places = PlacesHeld(objective);
   Vehicle fitted = objective.vehicle();
   const std::vector<double> all = objective.AllParameters(values);
   for (std::size_t i = 0; i < all.size(); ++i) fitted.parameters[i].value = all[i];
   for (Parameter& parameter : fitted.parameters) parameter.prior_sd.reset();
-  const VehicleObjective around(fitted, held.places, objective.blocks());
-  Archive archive(around.MakeProblem(), threads);
-  archive.StopBatches(stop);
-  const FitVariables variables(archive.lattice());
-  try {
-    const Eigen::VectorXd at = around.FileValues();
-    const Evaluation here = archive.EvaluateValues({at}).front();
-    if (!here.ok()) return {};
-    const std::optional<Eigen::MatrixXd> jacobian =
-        DifferenceJacobian(archive, variables, variables.FromValues(at), here.residuals,
-                           refine.DifferenceStep(archive.problem()), Differences::kAutomatic);
-    if (!jacobian) return {};
-    held.jacobian = *jacobian;
-  } catch (const BatchStopped&) {
-    return {};
+  const auto of = [&](const std::vector<std::size_t>& some) {
+    return JacobianOf(VehicleObjective(fitted, some, objective.blocks()), refine, threads, stop, evaluated);
+  };
+  HeldParameters held;
+  const auto add = [&](const std::vector<std::size_t>& some, const Eigen::MatrixXd& jacobian) {
+    held.places.insert(held.places.end(), some.begin(), some.end());
+    held.jacobian.conservativeResize(jacobian.rows(), held.jacobian.cols() + jacobian.cols());
+    held.jacobian.rightCols(jacobian.cols()) = jacobian;
+  };
+  if (const std::optional<Eigen::MatrixXd> together = of(places)) {
+    add(places, *together);
+  } else {
+    for (const std::size_t place : places)
+      if (const std::optional<Eigen::MatrixXd> alone = of({place})) add({place}, *alone);
   }
-  evaluated += archive.counts().paid;
-  held.variable_sd.resize(static_cast<Index>(held.places.size()));
-  for (std::size_t i = 0; i < held.places.size(); ++i)
-    held.variable_sd[static_cast<Index>(i)] =
-        DeviationOf(objective.vehicle().parameters[held.places[i]], variables, static_cast<Index>(i));
+  if (held.places.empty()) return {};
+  const FitVariables variables(VehicleObjective(fitted, held.places, objective.blocks()).MakeProblem().lattice);
+  held.variable_sd.resize(std::ssize(held.places));
+  for (Index i = 0; i < held.variable_sd.size(); ++i)
+    held.variable_sd[i] =
+        DeviationOf(objective.vehicle().parameters[held.places[static_cast<std::size_t>(i)]], variables, i);
   return held;
 }
 

@@ -76,10 +76,14 @@ struct Certainty {
   /// `names` added, and of parts of the data that contradict each other as before or, with even odds, as in `left`, see
   /// ModelErrorLeft(). `moved`: see `by_missing`.
   void AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left);
+  /// Whether intervals allow for more than noise and what is held.
+  bool IsBeyondNoise() const { return model_error.is_significant || !missing.empty(); }
   /// By all that is missing, n; zero where nothing is known.
   Eigen::VectorXd MovedByMissing() const;
   /// `total_sd` about the value, or about where the parameter would be with what is missing.
   double SdAboutEnds(Eigen::Index parameter) const;
+  /// Of the interval before bounds cut it.
+  double HalfWidth(Eigen::Index parameter) const;
 
   /// What most of a parameter's deviation comes from: "noise"; "model: " and the part of the data that pulls it most;
   /// "held: " and the parameter, or "calibration: " and the instrument, that moves it most. Empty for one without a

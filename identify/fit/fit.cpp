@@ -300,7 +300,8 @@ class RunningFit {
       const std::optional<Calibrated> calibrated = AllowForCalibrations(states, input_noise, best);
       if (calibrated) HoldAtBounds(best.values, states);
       AddCertainty(best, states, input_noise, calibrated);
-      if (result_.end != FitEnd::kConverged) JudgeEnd(left);
+      if (stop_()) EndWithoutDeviations();
+      else if (result_.end != FitEnd::kConverged) JudgeEnd(left);
       if (result_.covariance) AddProfiles(best);
     }
     result_.cost = best.cost;
@@ -315,17 +316,28 @@ class RunningFit {
         states[j] = ParameterState::kAtBound;
   }
 
-  /// Deviations are those of an optimum. One that is less than a tenth of them away is reached. `left`: the step to it.
-  void JudgeEnd(const Eigen::VectorXd& left) {
-    constexpr double kNear = 0.1;
-    bool is_near = true;
-    for (const Eigen::Index j : result_.certainty->judged)
-      is_near = is_near && std::abs(left[j]) < kNear * result_.certainty->total_sd[j];
-    if (is_near && result_.end == FitEnd::kNotConverged) result_.end = FitEnd::kConverged;
-    if (is_near) return;
+  /// What held parameters and noise of the inputs do to the deviations may not have been computed.
+  void EndWithoutDeviations() {
+    result_.end = FitEnd::kInterrupted;
+    DropCertainty();
+  }
+
+  void DropCertainty() {
     result_.certainty.reset();
     result_.covariance.reset();
     result_.weakest.clear();
+  }
+
+  /// Deviations are those of an optimum. One that is less than a tenth of them away is reached. `left`: the step to it.
+  void JudgeEnd(const Eigen::VectorXd& left) {
+    constexpr double kNear = 0.1;
+    const std::vector<Eigen::Index>& judged = result_.certainty->judged;
+    if (judged.empty()) return;
+    const bool is_near = std::all_of(judged.begin(), judged.end(), [&](Eigen::Index j) {
+      return std::abs(left[j]) < kNear * result_.certainty->total_sd[j];
+    });
+    if (is_near) result_.end = FitEnd::kConverged;
+    else DropCertainty();
   }
 
   /// Moves the best point to where that of an exact integration is, if it is better by one that is nearly so.
@@ -371,10 +383,12 @@ class RunningFit {
 
   void AddProfiles(const RefineResult& best) {
     Begin("profile");
-    for (const Eigen::Index index : options_.profiled)
+    for (const Eigen::Index index : options_.profiled) {
       if (!stop_())
         result_.profiles.push_back(
             ProfileOf(archive_, best, *result_.covariance, index, options_.refine, report_and_ask_));
+      if (stop_()) result_.end = FitEnd::kInterrupted;
+    }
   }
 
   const VehicleObjective& objective_;

@@ -264,18 +264,22 @@ class Fitter {
     if (!request_.name_missing || fit.end != FitEnd::kConverged || !loaded.HasDeviations()) return std::nullopt;
     const bool is_contradicted = fit.certainty && fit.certainty->model_error.is_significant;
     if (!IsLarge(fit) && !is_contradicted) return std::nullopt;
-    Suggestions found = SuggestFor(loaded, FreeValues(loaded, fit), request_.threads, hooks_.work);
-    if (found.is_interrupted) {
+    // A fit is not lost by what comes after it.
+    try {
+      Suggestions found = SuggestFor(loaded, FreeValues(loaded, fit), request_.threads, hooks_.work);
+      if (!found.is_interrupted) return found;
       hooks_.work.Note("interrupted while looking for what the vehicle lacks; `fourpost suggest` looks again");
-      return std::nullopt;
+    } catch (const std::runtime_error& failure) {
+      hooks_.work.Note(std::string("what the vehicle lacks could not be looked for: ") + failure.what());
     }
-    return found;
+    return std::nullopt;
   }
 
   /// result.json goes last into the folder.
   void Write(const LoadedStudy& loaded, std::uint64_t seed, OutputFolder& output, FitRun& run) {
-    const std::optional<Suggestions> missing = Missing(loaded, run.fit);
+    std::optional<Suggestions> missing = Missing(loaded, run.fit);
     if (missing) AllowForMissing(loaded.MakeObjective(), WhatIsMissing(*missing), run.fit);
+    if (missing && run.fit.certainty && run.fit.certainty->missing.empty()) missing->LeaveOutTogether();
     const FitResult& fit = run.fit;
     const Subject subject = loaded.MakeSubject();
     if (fit.end != FitEnd::kInterrupted) {

@@ -42,7 +42,7 @@ std::string Remark(const FittedParameter& parameter) {
   return remark;
 }
 
-bool IsBeyondNoise(const FitResult& fit) { return fit.certainty && fit.certainty->model_error.is_significant; }
+bool IsBeyondNoise(const FitResult& fit) { return fit.certainty && fit.certainty->IsBeyondNoise(); }
 
 std::string ParameterTable(const FitResult& fit) {
   TextTable table({"parameter", "start", "fitted", "sd", IsBeyondNoise(fit) ? "80 to 90 %" : "95 %", "lower", "upper",
@@ -75,7 +75,7 @@ std::string RecordingContradictions(const FitResult& fit) {
 
 /// Why the intervals are as wide as they are.
 std::string IntervalBasis(const FitResult& fit) {
-  if (!IsBeyondNoise(fit)) return "";
+  if (!fit.certainty || !fit.certainty->model_error.is_significant) return "";
   std::string ways;
   for (const PartedData& way : fit.certainty->model_error.ways)
     if (way.IsSignificant())
@@ -84,7 +84,7 @@ std::string IntervalBasis(const FitResult& fit) {
               (ways.empty() ? " as much as noise explains" : "");
   std::vector<double> shares;
   for (const Eigen::Index j : fit.certainty->judged)
-    shares.push_back(fit.certainty->total_sd[j] / fit.certainty->noise_sd[j]);
+    shares.push_back(fit.certainty->HalfWidth(j) / (fit.certainty->covariance.reach_95 * fit.certainty->noise_sd[j]));
   return "Parts of the data ask for different parameters. The intervals allow for that. First check what was measured\n"
          "(gain, sign, delay, place and noise of each channel and post); if it is right, the model lacks something.\n" +
          ways + ".\n  By noise alone the intervals would be " + Rounded(Median(shares), 2) +

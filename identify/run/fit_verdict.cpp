@@ -83,7 +83,8 @@ void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
     if (run.end != RefineEnd::kConverged || run.agrees || run.values.size() != fit.parameters.size()) continue;
     ends.push_back({run.cost, Eigen::Map<const Eigen::VectorXd>(run.values.data(), spread->values.size())});
   }
-  const std::vector<EndedStart> others = OtherOptima(ends, *spread, fit.cost, fit.covariance->inflation, spread->total);
+  const std::vector<EndedStart> others =
+      OtherOptima(ends, *spread, fit.cost, fit.covariance->inflation, spread->AboutMoved());
   std::string costs;
   for (const EndedStart& other : others) costs += (costs.empty() ? "" : ", ") + ShortNumber(other.cost, 6);
   if (!others.empty())

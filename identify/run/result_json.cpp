@@ -161,7 +161,6 @@ Json Calibrations(const std::vector<CalibrationEstimate>& estimates) {
 Json Intervals(const FitResult& fit) {
   if (!fit.certainty) return nullptr;
   const Certainty& certainty = *fit.certainty;
-  const bool is_wide = certainty.model_error.is_significant;
   Json held = Json::object();
   for (std::size_t i = 0; i < certainty.held.size(); ++i) {
     Json& by = held[certainty.held[i]] = Json::object();
@@ -172,8 +171,8 @@ Json Intervals(const FitResult& fit) {
   Json noise_moved = Json::object();
   for (Eigen::Index j = 0; j < fit.moved_by_input_noise.size(); ++j)
     noise_moved[fit.parameters[static_cast<std::size_t>(j)].name] = fit.moved_by_input_noise[j];
-  return {{"confidence", is_wide ? "80 to 90 %" : "95 %"},
-          {"model_error", is_wide},
+  return {{"confidence", certainty.IsBeyondNoise() ? "80 to 90 %" : "95 %"},
+          {"model_error", certainty.model_error.is_significant},
           {"ways", Ways(fit)},
           {"contradictions", Contradictions(fit)},
           {"held", held},

@@ -78,7 +78,7 @@ class FittedCost {
   VehicleObjective Corrected(const WorkHooks& hooks) {
     RequireParameters();
     loaded_.Prepare(hooks);
-    loaded_.CorrectAt(run_.parameters.values, hooks);
+    if (!loaded_.CorrectAt(run_.parameters.values, hooks)) throw BatchStopped();
     return loaded_.MakeObjective();
   }
 

@@ -46,7 +46,10 @@ RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hoo
   RunSuggestions run{.study = LoadSoundStudy(request.study)};
   run.values = FittedValues(result, run.study);
   run.study.Prepare(hooks);
-  run.study.CorrectAt(run.values, hooks);
+  if (!run.study.CorrectAt(run.values, hooks)) {
+    run.suggestions.is_interrupted = true;
+    return run;
+  }
   run.suggestions = SuggestFor(run.study, run.values, request.threads, hooks);
   RequireCost(result, run.suggestions.cost, request.study);
   return run;

@@ -26,6 +26,9 @@ inline const Finding kCalibrationUnknown{
 inline const Finding kFreeWithoutRange{"free-without-range", Severity::kError,
                                        "parameter '{}' is to be fitted, but has no range",
                                        "give it lower, upper and precision"};
+inline const Finding kFreeOutsideRange{"free-outside-range", Severity::kError,
+                                       "parameter '{}' is to be fitted, but begins outside its range",
+                                       "begin within it, or widen it in the vehicle file"};
 inline const Finding kFreeTwice{"free-twice", Severity::kError, "parameter '{}' appears twice in 'free'",
                                 "remove one of the two"};
 inline const Finding kNothingFree{"nothing-free", Severity::kError,

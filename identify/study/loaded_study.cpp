@@ -123,6 +123,9 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
     else free.push_back(index);
   }
   if (free.empty() && study.free.empty()) diagnostics.Report(kNothingFree, {vehicle.file});
+  for (const std::size_t index : free)
+    if (const Parameter& one = vehicle.parameters[index]; one.value < one.lower || one.value > one.upper)
+      diagnostics.Report(kFreeOutsideRange, {vehicle.file, one.line}, {one.name});
   return free;
 }
 
@@ -180,15 +183,19 @@ void LoadedStudy::Prepare(const WorkHooks& hooks) {
   for (Experiment& experiment : study.experiments) experiment.Prepare(subject, hooks);
 }
 
-void LoadedStudy::CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks) {
+bool LoadedStudy::CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks) {
   std::vector<double> values = vehicle.ParameterValues();
   for (std::size_t i = 0; i < free.size(); ++i) values[free[i]] = fitted[static_cast<Eigen::Index>(i)];
   const Subject subject = MakeSubject();
   bool is_due = false;
-  for (Experiment& experiment : study.experiments)
-    is_due |= experiment.CheckGeometry(subject, values, hooks) == Experiment::Geometry::kCorrectionDue;
+  for (Experiment& experiment : study.experiments) {
+    const Experiment::Geometry geometry = experiment.CheckGeometry(subject, values, hooks);
+    if (geometry == Experiment::Geometry::kInterrupted) return false;
+    is_due |= geometry == Experiment::Geometry::kCorrectionDue;
+  }
   if (is_due)
     for (Experiment& experiment : study.experiments) experiment.Correct();
+  return true;
 }
 
 VehicleObjective LoadedStudy::MakeObjective() const {

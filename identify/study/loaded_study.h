@@ -47,8 +47,8 @@ struct LoadedStudy {
   void Prepare(const WorkHooks& hooks = {});
 
   /// As a fit that ends with these values of the free parameters: experiments that ask for it add what the full
-  /// geometry does there. After Prepare().
-  void CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks);
+  /// geometry does there. False where the user stops it. After Prepare().
+  bool CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks);
 
   /// The misfit over all experiments. Throws FaultyInput when the vehicle cannot be assembled or held.
   VehicleObjective MakeObjective() const;

@@ -39,7 +39,8 @@ JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<E
   const Eigen::MatrixXd gram = changes.transpose() * changes;
   const Eigen::VectorXd pull = changes.transpose() * before;
 
-  JoinedAdditions joined{.places = {}, .shares = {}, .left = before};
+  JoinedAdditions joined;
+  Eigen::VectorXd left_now = before;
   std::vector<Index> taken;
   while (taken.size() < std::min(kMost, with.size())) {
     std::vector<Index> best;
@@ -56,20 +57,15 @@ JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<E
       best = tried;
       best_shares = shares;
     }
+    if (best.empty()) break;  // nothing of them is finite
     const Eigen::VectorXd left = before + changes(Eigen::all, best) * best_shares;
-    if (!pays(joined.left.squaredNorm(), left, static_cast<std::size_t>(best.back()))) break;
+    if (!pays(left_now.squaredNorm(), left, static_cast<std::size_t>(best.back()))) break;
     taken = best;
     joined.shares = best_shares;
-    joined.left = left;
+    left_now = left;
   }
   joined.places.assign(taken.begin(), taken.end());
   return joined;
-}
-
-Eigen::VectorXd Unweighted(const Eigen::VectorXd& weighted, const Eigen::VectorXd& weights,
-                           const Eigen::VectorXd& otherwise) {
-  constexpr double kNothing = 1e-6;  // as of outliers by Tukey's loss
-  return (weights.array() > kNothing).select(weighted.array() / weights.array().sqrt(), otherwise.array());
 }
 
 }  // namespace fourpost

@@ -14,8 +14,6 @@ struct JoinedAdditions {
   /// alone.
   std::vector<std::size_t> places;
   Eigen::VectorXd shares;
-  /// Residuals that are left.
-  Eigen::VectorXd left;
 };
 
 /// Forward selection: takes what lowers the squares most for as long as `pays` says so, at most six. `before`: N
@@ -24,10 +22,5 @@ struct JoinedAdditions {
 /// left, place)`.
 JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<Eigen::VectorXd>& with,
                               const std::function<bool(double, const Eigen::VectorXd&, std::size_t)>& pays);
-
-/// Residuals r of which sqrt(weight) r is `weighted`; where the weight is nothing, which `weighted` says nothing of,
-/// those of `otherwise`.
-Eigen::VectorXd Unweighted(const Eigen::VectorXd& weighted, const Eigen::VectorXd& weights,
-                           const Eigen::VectorXd& otherwise);
 
 }  // namespace fourpost

@@ -73,6 +73,14 @@ Eigen::VectorXd FollowedCost::Remainder(const Eigen::VectorXd& residuals) const 
   return residuals - point_.jacobian * normal_.solve(point_.jacobian.transpose() * weights_.cwiseProduct(residuals));
 }
 
+Eigen::VectorXd FollowedCost::Weighted(const Eigen::VectorXd& residuals) const {
+  return weights_.cwiseSqrt().cwiseProduct(residuals);
+}
+
+Eigen::VectorXd FollowedCost::Slope() const {
+  return point_.jacobian.transpose() * weights_.cwiseProduct(point_.residuals);
+}
+
 Followed FollowedCost::Of(const Eigen::VectorXd& residuals) const {
   constexpr int kRounds = 3;
   Followed followed;
@@ -81,14 +89,13 @@ Followed FollowedCost::Of(const Eigen::VectorXd& residuals) const {
   followed.step = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd now = residuals;
   const int rounds = point_.loss.kind() == LossKind::kNone ? 1 : kRounds;
-  Eigen::VectorXd weights;
   for (int round = 0; round < rounds; ++round) {
-    weights = point_.loss.Weights(now);
+    const Eigen::VectorXd weights = point_.loss.Weights(now);
     followed.step = -Normal(weights).solve(jacobian.transpose() * weights.cwiseProduct(residuals));
     now = residuals + jacobian * followed.step;
   }
   followed.cost = point_.loss.Cost(now);
-  followed.left = weights.cwiseSqrt().cwiseProduct(now);
+  followed.left = std::move(now);
   return followed;
 }
 
@@ -146,6 +153,7 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
   double amount_ahead = test.amount;
   Eigen::VectorXd step_ahead = test.step;
   int shorter = 0;
+  test.left = fitted.point().residuals;
   for (int round = 0; round < kMost && shorter < kMostShorter; ++round) {
     ++test.evaluations;
     const double next_amount = range.least == range.greatest ? range.first : amount + amount_ahead;
@@ -163,7 +171,7 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
     cost = next_cost;
     amount = std::clamp(next_amount, range.least, range.greatest);
     step += step_ahead;
-    test.left = fitted.point().loss.Weights(*there).cwiseSqrt().cwiseProduct(*there);
+    test.left = *there;
     if (is_end) break;
     FittedPoint both = fitted.point();
     both.jacobian.conservativeResize(Eigen::NoChange, n + 1);
@@ -174,9 +182,9 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
     amount_ahead = amount * std::clamp(next.step[n], -0.7, 2.0);
   }
   test.cost = cost;
-  if (amount == 0) return;
-  test.amount = amount;
   test.step = step;
+  test.is_confirmed = cost < before;
+  if (test.is_confirmed) test.amount = amount;
 }
 
 double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStructure& structure) {

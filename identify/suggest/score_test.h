@@ -25,7 +25,7 @@ struct Followed {
   double cost = 0;
   /// Of FitVariables.
   Eigen::VectorXd step;
-  /// Weighted residuals that no step accounts for.
+  /// Residuals with the step.
   Eigen::VectorXd left;
 };
 
@@ -38,6 +38,10 @@ class FollowedCost {
   Followed Of(const Eigen::VectorXd& residuals) const;
   /// Residuals that no step accounts for, with the weights of the fitted point: linear in `residuals`.
   Eigen::VectorXd Remainder(const Eigen::VectorXd& residuals) const;
+  /// Residuals times the square roots of the fitted point's weights.
+  Eigen::VectorXd Weighted(const Eigen::VectorXd& residuals) const;
+  /// Half the derivative of the cost by each variable.
+  Eigen::VectorXd Slope() const;
   const FittedPoint& point() const { return point_; }
 
  private:
@@ -59,8 +63,10 @@ struct ScoreTest {
   Eigen::VectorXd step;
   /// Residuals with the amount that TestAmount() found, variables as they were.
   Eigen::VectorXd alone;
-  /// Weighted residuals with it, variables following.
+  /// With it, variables following.
   Eigen::VectorXd left;
+  /// By Confirm(): the cost is that of an evaluation, below that without it.
+  bool is_confirmed = false;
   int evaluations = 0;
 };
 
@@ -77,7 +83,7 @@ struct AmountRange {
 std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals);
 
 /// Goes on from there: steps of the amount and the variables together with the derivatives that are known, each
-/// evaluated truly and kept where the cost falls.
+/// evaluated truly and kept where the cost falls. Where it never does, the test says that nothing is left or moved.
 void Confirm(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals, ScoreTest& test);
 
 /// How many independent residuals would say as much: of each series n (1 - c) / (1 + c), c: correlation of neighbours,

@@ -55,7 +55,11 @@ class AugmentedStudy {
       vehicle_ = *std::move(vehicle);
     }
     for (const std::size_t i : study.free) free_.push_back(PlaceOf(study.vehicle.parameters[i].name));
-    for (const std::string& name : addition.parameters) free_.push_back(PlaceOf(name));
+    for (const std::string& name : addition.parameters) {
+      free_.push_back(PlaceOf(name));
+      // A prior would add a residual; what the data say alone is the question.
+      vehicle_.parameters[free_.back()].prior_sd.reset();
+    }
     const Subject subject(vehicle_, free_, study.study.file, study.study.search.deadline_s);
     std::vector<ResidualBlock> blocks;
     for (const Experiment& experiment : study.study.experiments)
@@ -149,21 +153,19 @@ class Suggester {
 
   Suggestions Run() {
     const FollowedCost fitted = Fitted();
-    const double before = fitted.Of(fitted.point().residuals).cost;
+    base_ = fitted.Of(fitted.point().residuals);
     result_.cost = fitted.point().loss.Cost(fitted.point().residuals);
     result_.residuals = fitted.point().residuals.size() - objective_.prior_count();
-    const Eigen::VectorXd weighted =
-        fitted.point().loss.Weights(fitted.point().residuals).cwiseSqrt().cwiseProduct(fitted.point().residuals);
-    result_.effective = EffectiveResiduals(weighted.head(result_.residuals), structure_);
+    result_.effective = EffectiveOf(fitted, fitted.point().residuals);
     result_.misfit = std::sqrt(fitted.point().residuals.head(result_.residuals).squaredNorm() /
                                std::max(1.0, static_cast<double>(result_.residuals - values_.size())));
     std::vector<Trial> trials = Trials();
     TestAll(fitted, trials);
-    std::vector<Trial*> best = BestOfEach(trials, before);
-    Confirm(fitted, before, best);
+    std::vector<Trial*> best = BestOfEach(fitted, trials);
+    Confirm(fitted, best);
     result_.is_interrupted = hooks_.IsStopped();
     LeaveOutParts(best);
-    Describe(fitted, before, best);
+    Describe(fitted, best);
     Join(fitted, best);
     for (const Trial& trial : trials)
       if (!trial.test) result_.failed.push_back({trial.addition.words, trial.failure});
@@ -185,18 +187,17 @@ class Suggester {
         DifferenceJacobian(archive, variables_, x, here.residuals, options.DifferenceStep(archive.problem()));
     if (!jacobian) Refuse(kSuggestPointFailed, {study_.study.file.string()});
     point.jacobian = *jacobian;
-    for (Index j = 0; j < x.size(); ++j)
-      if (IsHeldByBound(x, j, *jacobian, here.residuals)) point.jacobian.col(j).setZero();
     result_.evaluations += archive.counts().paid;
+    const Eigen::VectorXd slope = FollowedCost(point).Slope();
+    for (Index j = 0; j < x.size(); ++j)
+      if (IsHeldByBound(x, j, slope[j])) point.jacobian.col(j).setZero();
     return FollowedCost(std::move(point));
   }
 
   /// Whether the cost would take the variable beyond its bound.
-  bool IsHeldByBound(const Eigen::VectorXd& x, Index j, const Eigen::MatrixXd& jacobian,
-                     const Eigen::VectorXd& residuals) const {
+  bool IsHeldByBound(const Eigen::VectorXd& x, Index j, double slope) const {
     constexpr double kAtBound = 1e-6;
     const double near = kAtBound * (variables_.upper()[j] - variables_.lower()[j]);
-    const double slope = jacobian.col(j).dot(residuals);
     return (x[j] - variables_.lower()[j] < near && slope > 0) || (variables_.upper()[j] - x[j] < near && slope < 0);
   }
 
@@ -273,33 +274,38 @@ class Suggester {
     result_.is_interrupted = hooks_.IsStopped();
   }
 
-  double CriterionOf(double before, const Trial& trial) const {
+  double EffectiveOf(const FollowedCost& fitted, const Eigen::VectorXd& residuals) const {
+    return EffectiveResiduals(fitted.Weighted(residuals).head(result_.residuals), structure_);
+  }
+
+  double CriterionOf(const FollowedCost& fitted, const Trial& trial) const {
     // By what is left with it: errors that it explains are alike because it is missing.
-    const double effective = EffectiveResiduals(trial.test->left.head(result_.residuals), structure_);
-    return CriterionChange(before, trial.test->cost, result_.residuals, effective, trial.addition.count, result_.tried);
+    const double effective = EffectiveOf(fitted, trial.test->left);
+    return CriterionChange(base_.cost, trial.test->cost, result_.residuals, effective, trial.addition.count,
+                           result_.tried);
   }
 
   /// The best of all alternatives for each thing that could be added, by their criterion.
-  std::vector<Trial*> BestOfEach(std::vector<Trial>& trials, double before) const {
+  std::vector<Trial*> BestOfEach(const FollowedCost& fitted, std::vector<Trial>& trials) const {
     std::map<std::string, Trial*> of_key;
     for (Trial& trial : trials) {
       if (!trial.test) continue;
       Trial*& best = of_key.try_emplace(trial.addition.Key(), &trial).first->second;
-      if (CriterionOf(before, trial) < CriterionOf(before, *best)) best = &trial;
+      if (CriterionOf(fitted, trial) < CriterionOf(fitted, *best)) best = &trial;
     }
     std::vector<Trial*> list;
     for (const auto& [key, trial] : of_key) list.push_back(trial);
-    Sort(list, before);
+    Sort(fitted, list);
     return list;
   }
 
-  void Sort(std::vector<Trial*>& list, double before) const {
+  void Sort(const FollowedCost& fitted, std::vector<Trial*>& list) const {
     std::stable_sort(list.begin(), list.end(),
-                     [&](const Trial* a, const Trial* b) { return CriterionOf(before, *a) < CriterionOf(before, *b); });
+                     [&](const Trial* a, const Trial* b) { return CriterionOf(fitted, *a) < CriterionOf(fitted, *b); });
   }
 
   /// The first of the list, evaluated truly with the parameters following; others of less promise stay as they are.
-  void Confirm(const FollowedCost& fitted, double before, std::vector<Trial*>& list) {
+  void Confirm(const FollowedCost& fitted, std::vector<Trial*>& list) {
     const std::size_t count = std::min(list.size(), kConfirmed);
     std::vector<int> evaluated(count);
     ForEachInParallel(count, threads_, [&](std::size_t i) {
@@ -309,7 +315,7 @@ class Suggester {
       evaluated[i] = test.evaluations - earlier;
     });
     for (const int number : evaluated) result_.evaluations += number;
-    Sort(list, before);
+    Sort(fitted, list);
   }
 
   /// The list runs from the best on.
@@ -322,22 +328,22 @@ class Suggester {
     list = std::move(kept);
   }
 
-  void Describe(const FollowedCost& fitted, double before, const std::vector<Trial*>& list) {
+  void Describe(const FollowedCost& fitted, const std::vector<Trial*>& list) {
     for (const Trial* trial : list) {
       SuggestedAddition one{.addition = trial->addition, .amount = trial->test->amount};
       if (one.addition.values) one.values = one.addition.values(one.amount);
       one.cost = trial->test->cost;
-      one.fall = 1 - trial->test->cost / before;
-      one.criterion = CriterionOf(before, *trial);
-      one.effective = EffectiveResiduals(trial->test->left.head(result_.residuals), structure_);
-      one.moved = MovedBy(trial->test->step);
+      one.fall = 1 - trial->test->cost / base_.cost;
+      one.criterion = CriterionOf(fitted, *trial);
+      one.effective = EffectiveOf(fitted, trial->test->left);
+      one.moved = MovedBy(MoveOf(*trial->test));
       result_.list.push_back(std::move(one));
     }
     const std::size_t worthwhile = result_.Worthwhile();
     // What each changes in the residuals beyond what the variables could.
     std::vector<Eigen::VectorXd> beyond(worthwhile);
     for (std::size_t i = 0; i < worthwhile; ++i)
-      beyond[i] = fitted.Of(list[i]->test->alone - fitted.point().residuals).left;
+      beyond[i] = fitted.Weighted(fitted.Remainder(list[i]->test->alone - fitted.point().residuals));
     for (std::size_t i = 0; i < worthwhile; ++i)
       for (std::size_t k = 0; k < worthwhile; ++k) {
         const Eigen::VectorXd& a = beyond[i];
@@ -346,28 +352,54 @@ class Suggester {
       }
   }
 
+  /// Of the variables by an addition alone: without what they would move without it.
+  Eigen::VectorXd MoveOf(const ScoreTest& test) const {
+    if (test.step.isZero(0)) return test.step;
+    return test.step - base_.step;
+  }
+
   /// Of those that were confirmed. Errors within the stated ones may well have a pattern: it cannot be held against the
   /// model, but parameters follow it.
   void Join(const FollowedCost& fitted, const std::vector<Trial*>& list) {
     if (result_.is_interrupted) return;
+    std::vector<std::size_t> confirmed;
     std::vector<Eigen::VectorXd> with;
-    for (std::size_t i = 0; i < std::min(kConfirmed, list.size()); ++i) with.push_back(list[i]->test->left);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (!list[i]->test->is_confirmed) continue;
+      confirmed.push_back(i);
+      with.push_back(fitted.Weighted(list[i]->test->left));
+    }
     const auto pays = [&](double before, const Eigen::VectorXd& left, std::size_t place) {
       // No number of residuals to compare the cost with: see CriterionChange().
       constexpr Index kNone = 0;
       const double effective = EffectiveResiduals(left.head(result_.residuals), structure_);
-      return CriterionChange(before, left.squaredNorm(), kNone, effective, list[place]->addition.count, result_.tried) <
-             0;
+      return CriterionChange(before, left.squaredNorm(), kNone, effective, list[confirmed[place]]->addition.count,
+                             result_.tried) < 0;
     };
-    const FittedPoint& point = fitted.point();
-    const JoinedAdditions joined = JoinAdditions(fitted.Of(point.residuals).left, with, pays);
-    result_.together = joined.places;
-    result_.left_together = Unweighted(joined.left, point.loss.Weights(point.residuals), point.residuals);
-    result_.jacobian = point.jacobian;
-    result_.moved_together.resize(values_.size(), std::ssize(joined.places));
-    for (Index k = 0; k < result_.moved_together.cols(); ++k)
-      result_.moved_together.col(k) = joined.shares[k] * list[joined.places[static_cast<std::size_t>(k)]]->test->step;
+    const JoinedAdditions joined = JoinAdditions(fitted.Weighted(base_.left), with, pays);
+    result_.jacobian = fitted.point().jacobian;
+    result_.left_together = base_.left;
+    Eigen::MatrixXd moved(values_.size(), std::ssize(joined.places));
+    for (Index k = 0; k < moved.cols(); ++k) {
+      const std::size_t place = confirmed[joined.places[static_cast<std::size_t>(k)]];
+      const ScoreTest& test = *list[place]->test;
+      result_.together.push_back(place);
+      result_.left_together += joined.shares[k] * (test.left - base_.left);
+      moved.col(k) = joined.shares[k] * MoveOf(test);
+    }
+    result_.moved_together = WithinBounds(moved);
     result_.moves_together = MovedBy(result_.moved_together.rowwise().sum());
+  }
+
+  /// Moves that add up to no more than the bounds let, as they limit what was evaluated.
+  Eigen::MatrixXd WithinBounds(Eigen::MatrixXd moved) const {
+    const Eigen::VectorXd x = variables_.FromValues(values_);
+    for (Index j = 0; j < moved.rows(); ++j) {
+      const double sum = moved.row(j).sum();
+      const double to = std::clamp(x[j] + sum, variables_.lower()[j], variables_.upper()[j]) - x[j];
+      if (to != sum) moved.row(j) *= to / sum;
+    }
+    return moved;
   }
 
   std::vector<MovedParameter> MovedBy(const Eigen::VectorXd& step) const {
@@ -393,6 +425,8 @@ class Suggester {
   VehicleObjective objective_;
   FitVariables variables_;
   ResidualStructure structure_;
+  /// Of the fitted point: it may lie beside the optimum, where noise of recorded inputs moved it.
+  Followed base_;
   Suggestions result_;
 };
 

@@ -70,6 +70,12 @@ struct Suggestions {
   std::int64_t evaluations = 0;
   bool is_interrupted = false;
 
+  /// Where intervals cannot take account of it.
+  void LeaveOutTogether() {
+    together.clear();
+    moves_together.clear();
+  }
+
   /// How many of the list are worth adding.
   std::size_t Worthwhile() const;
 };

@@ -132,7 +132,7 @@ Eigen::VectorXd Posterior::DrawNormal(std::uint64_t seed, std::size_t i, const E
   while (k + 1 < modes_.size() && left >= shares_[k]) left -= shares_[k++];
   Draws draws(seed, DrawPurpose::kPosterior, 0, i);
   Eigen::VectorXd centre = modes_[k].optimum.centre;
-  if (moved.size() > 0) centre += draws.Uniform() * ShareWithin(centre, moved) * moved;
+  if (k == 0 && moved.size() > 0) centre += draws.Uniform() * ShareWithin(centre, moved) * moved;
   return DrawNormalWithin(centre, modes_[k].root, lower_, upper_, draws);
 }
 

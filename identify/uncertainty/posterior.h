@@ -46,8 +46,8 @@ class Posterior {
   double LogDensity(const Eigen::VectorXd& x, double cost) const;
   /// Of a mixture of normal distributions about the optima, up to a constant.
   double LogNormal(const Eigen::VectorXd& x) const;
-  /// Point number `i` of that mixture within the bounds, optima in proportion to their evidence; about a point that is
-  /// `moved` from the optimum by a share between 0 and 1, as far as the bounds let it. Empty: not moved.
+  /// Point number `i` of that mixture within the bounds, optima in proportion to their evidence. Those of the first lie
+  /// about a point that is `moved` from it by a share between 0 and 1, as far as the bounds let it; empty: not moved.
   Eigen::VectorXd DrawNormal(std::uint64_t seed, std::size_t i, const Eigen::VectorXd& moved = {}) const;
 
  private:

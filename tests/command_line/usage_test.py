@@ -52,6 +52,14 @@ class Usage(UsageTest):
 
 
 class Refusal(UsageTest):
+    def test_of_parameters_that_begin_outside_their_range(self):
+        """By options or `start`; all of them at once."""
+        words = ("fit", "--no-suggest", STUDY, "-o", "result", "--set", "m_sprung=9000kg", "--set", "k_front=1N/m")
+        faults = self.run_program(*words, code=3).stderr
+        for name in ("m_sprung", "k_front"):
+            self.assertIn(f"error: parameter '{name}' is to be fitted, but begins outside its range: begin within it, or "
+                          "widen it in the vehicle file [free-outside-range]", faults)
+
     def test_names_the_broken_thing(self):
         """One thing broken in the shipped data."""
         for file, right, wrong, message in (

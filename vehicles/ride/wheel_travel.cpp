@@ -29,19 +29,15 @@ Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& rows) {
   return parts.right.rightCols(rows.cols() - rank);
 }
 
-LeastNorm LeastNormOf(const Eigen::MatrixXd& matrix) {
-  return matrix.size() > 0 ? LeastNorm(matrix, kRankTolerance) : LeastNorm();
-}
-
 }  // namespace
 
 HeldChassis::HeldChassis(const Suspension& suspension, Eigen::MatrixXd stiffness)
     : stiffness_(std::move(stiffness)),
       constraints_(Constraints(suspension, stiffness_.rows())),
       free_(NullSpace(constraints_)),
-      leading_(LeastNormOf(constraints_)),
-      yielding_(LeastNormOf(free_.transpose() * stiffness_ * free_)),
-      holding_(LeastNormOf(constraints_.transpose())) {
+      leading_(constraints_, kRankTolerance),
+      yielding_(free_.transpose() * stiffness_ * free_, kRankTolerance),
+      holding_(constraints_.transpose(), kRankTolerance) {
   for (const Wheel& wheel : suspension.wheels) wheel_y_.push_back(wheel.foot.y());
 }
 
@@ -53,8 +49,7 @@ std::optional<WheelTravel> HeldChassis::Move(const Eigen::VectorXd& rise) const 
   constexpr double kMissed = 1e-6;
   if ((constraints_ * led - wanted).norm() > kMissed * rise.norm()) return std::nullopt;
   WheelTravel travel{.rise = rise, .motion = led, .force = {}};
-  if (free_.cols() > 0)
-    travel.motion -= free_ * yielding_.Solve(Eigen::VectorXd(free_.transpose() * (stiffness_ * led)));
+  travel.motion -= free_ * yielding_.Solve(Eigen::VectorXd(free_.transpose() * (stiffness_ * led)));
   travel.force = holding_.Solve(Eigen::VectorXd(stiffness_ * travel.motion)).tail(rise.size());
   return travel;
 }

@@ -48,6 +48,25 @@ TEST(Decompositions, SingularValuesHaveTheSidesAskedFor) {
   EXPECT_EQ(SingularValuesOf(matrix, SingularValues::kRight).left.size(), 0);
 }
 
+// As of a fit all of whose parameters are at bounds.
+TEST(Decompositions, OfEmptyMatricesAreEmpty) {
+  EXPECT_EQ(SymmetricEigenpairsOf(MatrixXd(0, 0)).values.size(), 0);
+  EXPECT_EQ(SymmetricEigenpairsOf(MatrixXd(0, 0), MatrixXd(0, 0)).vectors.cols(), 0);
+  EXPECT_EQ(SymmetricEigenvaluesOf(MatrixXd(0, 0)).size(), 0);
+  EXPECT_EQ(SingularValuesOf(MatrixXd(0, 3), SingularValues::kRight).right, MatrixXd(MatrixXd::Identity(3, 3)));
+  EXPECT_EQ(SingularValuesOf(MatrixXd(2, 0), SingularValues::kBoth).left, MatrixXd(MatrixXd::Identity(2, 2)));
+}
+
+TEST(LeastNorm, OfEmptyMatricesSolvesForZeros) {
+  for (const LeastNorm& none : {LeastNorm(MatrixXd(0, 3)), LeastNorm(MatrixXd(0, 3), 1e-9)}) {
+    EXPECT_EQ(none.Solve(VectorXd(VectorXd(0))), VectorXd(VectorXd::Zero(3)));
+    EXPECT_EQ(none.Solve(MatrixXd(MatrixXd(0, 2))), MatrixXd(MatrixXd::Zero(3, 2)));
+    EXPECT_EQ(none.rank(), 0);
+    EXPECT_EQ(none.NullSpace(), MatrixXd(MatrixXd::Identity(3, 3)));
+  }
+  EXPECT_EQ(LeastNorm(MatrixXd(2, 0)).PseudoInverse().cols(), 2);
+}
+
 TEST(LeastNorm, TakesTheShortestSolution) {
   const LeastNorm sum(Matrix({{1, 1}}));
   EXPECT_LT((sum.Solve(VectorXd(VectorXd::Constant(1, 2))) - VectorXd::Ones(2)).norm(), kRounding);

@@ -62,6 +62,39 @@ TEST(Certainty, CountsWhatHasNoRangeAsExact) {
   EXPECT_EQ(fit.certainty->LimitedBy(0), "noise");
 }
 
+// p1 and p2 are held; the model breaks wherever p2 is not 1.
+TEST(Certainty, LeavesOutOnlyWhatCannotBeEvaluated) {
+  const VehicleObjective all = ToyObjective(3, kCount, 1e-15, [](const std::vector<double>& p) {
+    Eigen::VectorXd residuals = Eigen::VectorXd::Constant(kCount, (p[0] + p[1] - 2) / 0.01);
+    for (Eigen::Index i = 0; i < kCount; ++i) residuals[i] += i % 2 == 0 ? 1 : -1;
+    if (p[2] != 1) residuals[0] = std::nan("");
+    return residuals;
+  });
+  const FitResult fit = FitOf(VehicleObjective(all.vehicle(), {0}, all.blocks()));
+  ASSERT_TRUE(fit.certainty);
+  EXPECT_EQ(fit.certainty->held, std::vector<std::string>{"p1"});
+  EXPECT_NEAR(fit.certainty->held_sd[0], std::log(25.0) / std::sqrt(12.0), 1e-3);
+}
+
+// What would be missing from its intervals nobody can see.
+TEST(Certainty, AFitThatIsStoppedOnTheWayToItHasNone) {
+  const VehicleObjective both = Sum();
+  bool is_stopped = false;
+  FitOptions options;
+  options.stop.max_evaluations = 40;
+  options.starts = 1;
+  const FitHooks hooks{.progress = [&](const FitProgress& now) { is_stopped = now.stage == "deviations"; },
+                       .stop = [&] { return is_stopped; }};
+  const VehicleObjective one(both.vehicle(), {0}, both.blocks());
+  const FitResult fit = Fit(one, options, hooks);
+  ASSERT_TRUE(is_stopped);
+  EXPECT_EQ(fit.end, FitEnd::kInterrupted);
+  EXPECT_FALSE(fit.certainty);
+  EXPECT_FALSE(fit.covariance);
+  EXPECT_NEAR(fit.parameters[0].value, 1, 1e-3);  // of 0.01 / 40^1/2
+  EXPECT_EQ(fit.parameters[0].state, ParameterState::kNotComputed);
+}
+
 // Anywhere between the value and where it would be with what is missing: delta^2 / 3 about one end.
 TEST(Certainty, ReachesToWhereMissingPhysicsTakesAParameter) {
   const VehicleObjective both = Sum();

@@ -57,8 +57,30 @@ TEST(ScoreTest, OfALinearModelIsTheClosedForm) {
   EXPECT_NEAR(test->amount, amount, 0.02 * amount);
   EXPECT_NEAR(point.residuals.squaredNorm() - test->cost, fall, 1e-3 * fall);
   Confirm(fitted, range, residuals, *test);
+  EXPECT_TRUE(test->is_confirmed);
   EXPECT_NEAR(test->amount, amount, 1e-3 * amount);
   EXPECT_NEAR(point.residuals.squaredNorm() - test->cost, fall, 1e-4 * fall);
+}
+
+// It promises something to first order, and every evaluation denies it.
+TEST(ScoreTest, WhatEvaluationsRefuteMovesNothing) {
+  const VectorXd column = White(400, 7);
+  const FittedPoint point = Optimum(400, 5, -0.6 * column, 1);
+  const FollowedCost fitted(point);
+  const auto residuals = [&](double s, const VectorXd& step) {
+    const VectorXd worse = step.isZero(0) ? VectorXd::Zero(400) : VectorXd::Ones(400);
+    return std::optional<VectorXd>(point.residuals + s * column + point.jacobian * step + worse);
+  };
+  const AmountRange range{.first = 0.05, .least = 0, .greatest = 10};
+  auto test = TestAmount(fitted, range, residuals);
+  ASSERT_TRUE(test.has_value());
+  EXPECT_FALSE(test->is_confirmed);
+  EXPECT_LT(test->cost, 0.9 * point.residuals.squaredNorm());
+  Confirm(fitted, range, residuals, *test);
+  EXPECT_FALSE(test->is_confirmed);
+  EXPECT_EQ(test->cost, point.residuals.squaredNorm());
+  EXPECT_EQ(test->step, VectorXd::Zero(5));
+  EXPECT_EQ(test->left, point.residuals);
 }
 
 TEST(ScoreTest, IsZeroWhereTheSignIsNotPhysical) {
