@@ -3,6 +3,8 @@ import math
 import os
 import pathlib
 import shutil
+import sqlite3
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -22,6 +24,53 @@ def dwells(frequencies, rate):
     return heights
 
 
+class Archive:
+    """All that an archive of evaluations holds, over all contexts; nothing of a file that is not there or empty."""
+
+    def __init__(self, path):
+        """Takes in the log of a killed program, as every program does that opens the file."""
+        rows = []
+        if path.exists() and path.stat().st_size > 0:
+            database = sqlite3.connect(path)
+            try:
+                rows = database.execute(
+                    "SELECT paid, parameters, vehicle, data, settings, version, residuals, failure, detail, violation "
+                    "FROM evaluation JOIN context ON context.id = evaluation.context "
+                    "ORDER BY vehicle, data, settings, version, parameters").fetchall()
+            finally:
+                database.close()
+        counts = [self.evaluations_of(row[1]) for row in rows]
+        self.evaluations = sum(counts)
+        # How often one of them was evaluated; above `evaluations` where programs at once evaluated the same.
+        self.paid = sum(count * row[0] for count, row in zip(counts, rows))
+        # In the order of their keys: the same for the same content, in whichever order it was stored.
+        self.content = [row[1:] for row in rows]
+
+    @staticmethod
+    def evaluations_of(values):
+        """Of a row with these values: a Jacobian, whose last one is NaN, counts as one for each parameter."""
+        jacobian = len(values) >= 8 and math.isnan(struct.unpack("=d", values[-8:])[0])
+        return len(values) // 8 - 1 if jacobian else 1
+
+    @classmethod
+    def evaluations_at_work(cls, path):
+        """Their number in an archive that a program is writing, or was killed with.
+
+        Of a copy, since whoever opens the file itself takes in its log; 0 where its files do not fit together.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder) / "copy.sqlite"
+            for part in ("", "-wal", "-journal"):
+                try:
+                    shutil.copyfile(f"{path}{part}", f"{copy}{part}")
+                except FileNotFoundError:
+                    pass
+            try:
+                return cls(copy).evaluations
+            except sqlite3.DatabaseError:
+                return 0
+
+
 class ProgramTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -33,6 +82,14 @@ class ProgramTest(unittest.TestCase):
         outcome = subprocess.run([FOURPOST, *map(str, words)], cwd=self.folder, capture_output=True, text=True, **more)
         self.assertEqual(outcome.returncode, code, outcome.stderr)
         return outcome
+
+    def start_program(self, *words):
+        """The program at work, to send signals to; killed with its test."""
+        program = subprocess.Popen([FOURPOST, *map(str, words)], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(program.communicate)
+        self.addCleanup(program.kill)
+        return program
 
     def assert_finding(self, text, finding, place=""):
         """A line of `text` begins with `place` and ends with the id of `finding`."""

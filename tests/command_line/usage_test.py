@@ -1,17 +1,10 @@
 """The program's usage: help, refusals, `fourpost response` and `fourpost compare`, and signals."""
 import json
-import math
-import pathlib
-import shutil
 import signal
-import sqlite3
-import struct
-import subprocess
-import tempfile
 import time
 import unittest
 
-from program import FOURPOST, ProgramTest
+from program import Archive, ProgramTest
 
 VEHICLE = "urdf/landrover110_linkage.urdf"
 STUDY = "studies/landrover110/model2.yaml"
@@ -153,39 +146,11 @@ class Signals(UsageTest):
         super().setUp()
         self.replace_in(STUDY, "  evaluations: 100\n", "  evaluations: 100000000\n  generations: 1000000\n")
 
-    def evaluations(self, archive):
-        """Their number in an archive that the program is writing.
-
-        Of a copy, since whoever opens the file itself takes in its log; 0 where its files do not fit together.
-        """
-        with tempfile.TemporaryDirectory() as folder:
-            copy = pathlib.Path(folder) / "copy.sqlite"
-            for part in ("", "-wal", "-journal"):
-                try:
-                    shutil.copyfile(f"{archive}{part}", f"{copy}{part}")
-                except FileNotFoundError:
-                    pass
-            database = sqlite3.connect(copy)
-            try:
-                rows = database.execute("SELECT CAST(parameters AS BLOB) FROM evaluation").fetchall()
-            except sqlite3.DatabaseError:
-                return 0
-            finally:
-                database.close()
-        count = 0
-        for (values,) in rows:
-            # A row is a Jacobian where the last value is NaN: one evaluation for each parameter.
-            jacobian = len(values) >= 8 and math.isnan(struct.unpack("=d", values[-8:])[0])
-            count += len(values) // 8 - 1 if jacobian else 1
-        return count
-
     def start_search(self, *words, result):
         """A fit that is in its search, on any machine."""
-        program = subprocess.Popen([FOURPOST, "fit", *words, STUDY, "-o", result], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(program.communicate)
-        self.addCleanup(program.kill)
-        while program.poll() is None and self.evaluations(self.folder / result / "archive.sqlite") < 25:
+        program = self.start_program("fit", *words, STUDY, "-o", result)
+        archive = self.folder / result / "archive.sqlite"
+        while program.poll() is None and Archive.evaluations_at_work(archive) < 25:
             time.sleep(0.001)
         return program
 
