@@ -2,24 +2,26 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
 from typing import Any, Callable
 
-from .errors import CANNOT_WRITE, INTERRUPTED, NOT_DONE, USAGE, BatchError, Finding, error, warning
+from . import findings
+from .errors import CANNOT_WRITE, INTERRUPTED, NOT_DONE, USAGE, BatchError, did_you_mean
 from .expand import Expanded, expand
 from .page import ProgressPage
 from .plan import read_plan
 from .program import Program
 from .progress import ProgressLine
+from .report import findings_of_units, print_report, print_some
 from .run import Tally, run
 from .store import Store
-from .summary import State, states, unpack, write_tables
+from .summary import states, unpack, write_tables
 from .work import Workplace
 
 UNIT_FAILED = 1
 """Of units that failed by their inputs."""
+PLACES = ("local", "dask:", "slurm", "launcher")
 
 
 def options_of(words: list[str]) -> argparse.Namespace:
@@ -39,8 +41,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
 
 def _check_place(on: str) -> None:
     if on not in ("local", "slurm", "launcher") and not (on.startswith("dask:") and len(on) > 7):
-        text = f"'{on}' is not a place to run units: one of local, dask://HOST:PORT, dask:FILE, slurm, launcher"
-        raise BatchError([Finding("batch-place-unknown", "error", text, "--on")], USAGE)
+        raise BatchError([findings.PLACE_UNKNOWN(on, did_you_mean(on.partition("//")[0], PLACES), file="--on")], USAGE)
 
 
 def _dask(options: argparse.Namespace, workplace: Workplace, files: dict[str, bytes] | None, page: ProgressPage) -> Any:
@@ -91,50 +92,6 @@ def _run_here_or_there(options: argparse.Namespace, expanded: Expanded, workplac
         crew.close()
 
 
-def _report(options: argparse.Namespace, found: list[State], tally: Tally, store: Store | None) -> None:
-    counts = {state: sum(one.state == state for one in found) for state in ("done", "failed", "blocked", "missing")}
-    if options.json:
-        units = [{"name": one.unit.name, "kind": one.unit.kind, "state": one.state, "code": one.code,
-                  "key": one.unit.key} for one in found]
-        warnings = [{"id": finding.id, "text": finding.text} for finding in tally.warnings]
-        print(json.dumps({"folder": str(options.output) if options.output else None, "counts": counts,
-                          "work": {"found": tally.found, "paid": tally.paid, "tried_again": tally.tried_again},
-                          "units": units, "warnings": warnings}, indent=2))
-        return
-    if options.list:
-        wide = max([4] + [len(one.unit.name) for one in found])
-        print(f"{'unit':{wide}}  kind        state")
-        for one in found:
-            print(f"{one.unit.name:{wide}}  {one.unit.kind:10}  {one.state}")
-    kinds = {kind: sum(one.unit.kind == kind for one in found) for kind in dict.fromkeys(one.unit.kind for one in found)}
-    print(f"{len(found)} units ({', '.join(f'{kind}: {count}' for kind, count in kinds.items())}): " +
-          ", ".join(f"{count} {state}" for state, count in counts.items() if count))
-    if not options.list:
-        print(f"computed now {tally.paid}, there before {tally.found}, tried again {tally.tried_again}")
-
-
-def _findings(found: list[State], tally: Tally) -> list[Finding]:
-    """Of units without a usable result."""
-    findings = []
-    names = {one.unit.key: one.unit.name for one in found}
-    for one in found:
-        name = one.unit.name
-        result = one.result if one.state == "failed" else None
-        if result:
-            why = next((text for text in result["messages"] if "error: " in text), "it said nothing")
-            text = f"the unit '{name}' ended with code {one.code}: {why}: correct its input and run the batch again"
-            findings.append(error("batch-unit-failed", text))
-        elif one.state == "blocked":
-            needed = names.get(one.unit.after, "a fit")
-            findings.append(error("batch-unit-blocked", f"the unit '{name}' needs '{needed}', which has no fit: see what "
-                                  "is said of that one"))
-        elif one.unit.key in tally.lost:
-            why = tally.lost[one.unit.key].text
-            findings.append(error("batch-unit-lost", f"the unit '{name}' has no result: {why}: run the batch again; "
-                                  "results so far are kept"))
-    return findings
-
-
 def main(words: list[str]) -> int:
     options = options_of(words)
     if options.task:
@@ -144,7 +101,7 @@ def main(words: list[str]) -> int:
     expanded = expand(read_plan(options.plan), Program(options.program))
     if options.list:
         is_there = options.output and os.path.isdir(options.output)
-        _report(options, states(expanded.units, Store(options.output) if is_there else None), Tally(), None)
+        print_report(options, states(expanded.units, Store(options.output) if is_there else None), Tally())
         return 0
     store = Store.make(options.output)
     line = ProgressLine(len({unit.key for unit in expanded.units}))
@@ -158,16 +115,12 @@ def main(words: list[str]) -> int:
     if options.unpack:
         unpack(found, store)
     if store.damaged:
-        tally.warnings.append(warning("batch-result-damaged", f"{len(store.damaged)} results were altered on disk and are "
-                                      "computed again: check the disk if that was nobody's intention"))
+        tally.warnings.append(findings.RESULT_DAMAGED(len(store.damaged)))
     line.tell_warnings(tally)
-    findings = _findings(found, tally)
-    for finding in findings[:20]:
-        print(finding, file=sys.stderr)
-    if len(findings) > 20:
-        print(f"and {len(findings) - 20} more; results.csv has the state of all", file=sys.stderr)
-    _report(options, found, tally, store)
-    return NOT_DONE if tally.lost else UNIT_FAILED if findings else 0
+    faults = findings_of_units(found, tally)
+    print_some(faults)
+    print_report(options, found, tally)
+    return NOT_DONE if tally.lost else UNIT_FAILED if faults else 0
 
 
 def guarded(words: list[str]) -> int:
@@ -184,8 +137,7 @@ def guarded(words: list[str]) -> int:
         print("interrupted: results so far are kept; the same command goes on", file=sys.stderr)
         return INTERRUPTED
     except OSError as fault:
-        text = f"cannot write: {fault}: free space and run the batch again; results so far are kept"
-        print(error("batch-cannot-write", text), file=sys.stderr)
+        print(findings.CANNOT_WRITE(fault), file=sys.stderr)
         return CANNOT_WRITE
 
 

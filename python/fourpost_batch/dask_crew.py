@@ -11,7 +11,8 @@ import sys
 import time
 from typing import Any, Mapping
 
-from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble, error, warning
+from . import findings
+from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble
 from .run import Outcome, finding_of
 from .unit import Unit
 from .work import Workplace
@@ -23,8 +24,8 @@ try:
     from . import dask_plant
     from .dask_plant import NAME, Plant
 except ImportError:
-    text = f"this needs distributed, which {sys.executable} does not have: install it: apt install python3-distributed"
-    raise BatchError([error("batch-lacks-package", text)], USAGE) from None
+    lacks = findings.LACKS_PACKAGE("distributed", sys.executable, "apt install python3-distributed")
+    raise BatchError([lacks], USAGE) from None
 
 class DaskCrew:
     """address: of the scheduler, tcp://HOST:PORT, or its scheduler file."""
@@ -77,8 +78,7 @@ class DaskCrew:
             raise self._away(f"'{path}' is not a scheduler file ({fault})") from None
 
     def _away(self, why: str) -> BatchError:
-        text = f"the scheduler {self.address} does not answer: {why}: start it and run the batch again; results so far are kept"
-        return BatchError([error("batch-scheduler-away", text)], NOT_DONE)
+        return BatchError([findings.SCHEDULER_AWAY(self.address, why)], NOT_DONE)
 
     def send(self, units: list[tuple[Unit, dict[str, Any] | None]]) -> None:
         # Names of Dask's own, as a key that was lost is asked for again.
@@ -136,16 +136,14 @@ class DaskCrew:
         self.warnings_so_far()
         patience = min(self.patience, 2) if self._refused else self.patience
         if time.monotonic() - self._alone_since > patience:
-            why = "".join(f"; {finding.text}" for finding in self._refused[:3])
-            text = f"no worker of {self.address} takes units{why}: start workers of this build of fourpost and run the batch again"
-            raise BatchError([error("batch-no-workers", text)], NOT_DONE)
+            raise BatchError([*self._refused[:3], findings.NO_WORKERS(self.address)], NOT_DONE)
 
     def warnings_so_far(self) -> list[Finding]:
         while not self._events.empty():
             event = self._events.get()
             if isinstance(event, (list, tuple)) and len(event) == 3 and event[0] in LEAVES:
                 trouble = Trouble(*event)
-                self._refused.append(finding_of(trouble, self.build, str(self._store.folder)))
+                self._refused.append(finding_of(trouble, self.build))
         return self._refused
 
     def warnings(self) -> list[Finding]:

@@ -50,15 +50,7 @@ LEAVES = ("disk", "build", "files", "program")
 """Kinds of trouble of which a worker has no end: it leaves."""
 
 
-def error(id: str, text: str, file: object = "", line: int = 0) -> Finding:
-    return Finding(id, "error", text, str(file), line)
-
-
-def warning(id: str, text: str, file: object = "", line: int = 0) -> Finding:
-    return Finding(id, "warning", text, str(file), line)
-
-
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """": did you mean 'x'?", or nothing."""
+    """", did you mean 'x'?", or nothing."""
     near = difflib.get_close_matches(name, list(known), 1)
-    return f": did you mean '{near[0]}'?" if near else ""
+    return f", did you mean '{near[0]}'?" if near else ""

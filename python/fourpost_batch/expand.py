@@ -11,7 +11,9 @@ import subprocess
 from dataclasses import dataclass
 from typing import Iterable, Sequence
 
-from .errors import BatchError, Finding, did_you_mean, error
+from . import findings
+from .errors import BatchError, Finding, did_you_mean
+from .findings import Kind
 from .plan import Entry, Plan
 from .program import Program
 from .store import file_hash
@@ -19,6 +21,8 @@ from .unit import FIT_FOLDER, Unit
 
 Files = list[tuple[str, pathlib.Path]]
 """Where a file stands for the unit, and where it is here."""
+MOST_NAMES = 20
+"""In a message."""
 RUN_FILES = ("result.json", "vehicle.urdf", "study.yaml")
 
 
@@ -43,6 +47,9 @@ class _Expansion:
         self.findings: list[Finding] = []
         self.units: dict[str, Unit] = {}
         self.fits: dict[str, list[tuple[Unit, Files]]] = {}
+        """By all names that 'of' may use: of a study with all its seeds, of a unit, of an entry of several studies."""
+        self.groups: set[str] = set()
+        """Those of entries of several studies."""
         self.sources: dict[str, pathlib.Path] = {}
         self.hashes: dict[pathlib.Path, str] = {}
         self.inputs: dict[pathlib.Path, list[pathlib.Path]] = {}
@@ -57,8 +64,8 @@ class _Expansion:
             raise BatchError(self.findings)
         return Expanded(list(self.units.values()), self.sources)
 
-    def _refuse(self, entry: Entry, id: str, text: str) -> None:
-        self.findings.append(error(id, text, self.plan.file, entry.line))
+    def _refuse(self, entry: Entry, kind: Kind, *words: object) -> None:
+        self.findings.append(kind(*words, file=self.plan.file, line=entry.line))
 
     # What studies read.
 
@@ -74,13 +81,13 @@ class _Expansion:
         try:
             is_problem = re.search(r"^problem\s*:", study.read_text("utf-8", "replace"), re.M)
         except OSError as fault:
-            self.findings.append(error("batch-file-missing", f"no file '{study}': {fault.strerror}"))
+            self.findings.append(findings.FILE_MISSING(study, f" ({fault.strerror})"))
             return []
         if is_problem:
             return [study]
         outcome = subprocess.run([self.program.path, "info", study, "--json"], capture_output=True, text=True)
         if outcome.returncode != 0:
-            self.findings += _findings_of(outcome.stderr) or [error("batch-plan-malformed", outcome.stderr, study)]
+            self.findings += _findings_of(outcome.stderr) or [findings.PLAN_MALFORMED(outcome.stderr, file=study)]
             return []
         names = json.loads(outcome.stdout)["files"][0]["inputs"]
         files = [pathlib.Path(os.path.abspath(name)) for name in names]
@@ -94,12 +101,14 @@ class _Expansion:
         options += ["--accept-implausible"] * bool(entry.get("accept_implausible"))
         options += ["--accept-unidentified"] * bool(entry.get("accept_unidentified"))
         options += [f"--profile={','.join(entry['profile'])}"] if entry.get("profile") else []
+        group = entry.get("name") if len(entry["study"]) > 1 else None
+        if group in self.fits and group not in self.groups:
+            self._refuse(entry, findings.NAME_TWICE, group)
         for study in entry["study"]:
             name = self._name(entry, study)
             files = _relative(self.inputs[study], study.parent)
             if name in self.fits:
-                self._refuse(entry, "batch-name-twice",
-                             f"two units have the name '{name}': give entries names of their own by 'name'")
+                self._refuse(entry, findings.NAME_TWICE, name)
                 continue
             fits = self.fits[name] = []
             for seed in entry.get("seeds") or [None]:
@@ -108,6 +117,10 @@ class _Expansion:
                 unit = self._add(entry, name + (f"/seed{seed}" if seed is not None else ""), "fit", command, files,
                                  keep=self.plan.keep)
                 fits.append((unit, files))
+                self.fits[unit.name] = [(unit, files)] if unit.name != name else fits
+            if group:
+                self.groups.add(group)
+                self.fits.setdefault(group, []).extend(fits)
 
     def _prediction(self, entry: Entry) -> None:
         options = [f"--{key}={entry[key]}" for key in ("mode", "engine") if entry.get(key)]
@@ -156,14 +169,16 @@ class _Expansion:
 
     def _of_runs(self, entry: Entry, name: str, kind: str, command: list[str], given: Files) -> None:
         """A unit for each fit of the plan that 'of' names, and each folder that 'run' names."""
+        found: dict[str, tuple[Unit, Files]] = {}
         for pattern in entry.get("of") or []:
-            found = [fit for fit in self.fits if fnmatch.fnmatchcase(fit, pattern)]
-            if not found:
-                near = did_you_mean(pattern, self.fits)
-                self._refuse(entry, "batch-run-unknown", f"no fit of this plan has the name '{pattern}'{near}: "
-                             "name an entry of 'fits', or a folder of a fit by 'run'")
-            for unit, files in (one for fit in found for one in self.fits[fit]):
-                self._add(entry, f"{unit.name}/{name}", kind, command, files + given, after=unit.key)
+            chosen = {one[0].name: one for fit, fits in self.fits.items() if fnmatch.fnmatchcase(fit, pattern) for one in fits}
+            if not chosen:
+                names = [*self.fits][:MOST_NAMES] + ["..."] * (len(self.fits) > MOST_NAMES)
+                self._refuse(entry, findings.RUN_UNKNOWN, pattern, did_you_mean(pattern, self.fits),
+                             ", ".join(names) or "'fits', which are none")
+            found.update(chosen)
+        for unit, files in found.values():
+            self._add(entry, f"{unit.name}/{name}", kind, command, files + given, after=unit.key)
         for folder in entry.get("run") or []:
             if self._is_of_this_version(entry, folder):
                 files = [(f"{FIT_FOLDER}/{file}", folder / file) for file in RUN_FILES if (folder / file).exists()]
@@ -173,12 +188,10 @@ class _Expansion:
         try:
             version = json.loads((folder / "result.json").read_text())["versions"]["fourpost"]
         except (OSError, ValueError, KeyError, TypeError):
-            self._refuse(entry, "batch-file-missing", f"no file '{folder}/result.json' of a fit: paths are relative to "
-                         "the plan's folder")
+            self._refuse(entry, findings.FILE_MISSING, folder / "result.json", ", which a fit writes")
             return False
         if version != self.program.version:
-            self._refuse(entry, "batch-run-of-other-version", f"'{folder}' is a fit of fourpost {version}, and this is "
-                         f"{self.program.version}: fit again, best as an entry of 'fits'")
+            self._refuse(entry, findings.RUN_OF_OTHER_VERSION, folder, version, self.program.version)
         return bool(version == self.program.version)
 
     def _add(self, entry: Entry, name: str, kind: str, command: Sequence[str], files: Files, *, keep: Sequence[str] = (),
@@ -189,8 +202,7 @@ class _Expansion:
                 inputs.append((place, digest))
         unit = Unit(name, kind, (first, *command), tuple(sorted(inputs)), self.program.build, tuple(keep), after)
         if name in self.units:
-            self._refuse(entry, "batch-name-twice",
-                         f"two units have the name '{name}': give entries names of their own by 'name'")
+            self._refuse(entry, findings.NAME_TWICE, name)
         self.units[name] = unit
         return unit
 
@@ -200,7 +212,7 @@ class _Expansion:
                 digest = self.hashes[path] = file_hash(path)
                 self.sources[digest] = path
             except OSError as fault:
-                self._refuse(entry, "batch-file-missing", f"no file '{path}': {fault.strerror}")
+                self._refuse(entry, findings.FILE_MISSING, path, f" ({fault.strerror})")
                 self.hashes[path] = ""
         return self.hashes[path]
 
@@ -229,5 +241,5 @@ def _findings_of(text: str) -> list[Finding]:
     for line in text.splitlines():
         parts = re.fullmatch(r"(?:(.*?)(?::(\d+))?: )?(error): (.*) \[([a-z0-9-]+)\]", line)
         if parts:
-            found.append(error(parts[5], parts[4], parts[1] or "", int(parts[2] or 0)))
+            found.append(Finding(parts[5], "error", parts[4], parts[1] or "", int(parts[2] or 0)))
     return found

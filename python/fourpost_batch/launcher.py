@@ -4,8 +4,9 @@ from __future__ import annotations
 import os
 from typing import Callable
 
-from .errors import LEAVES, USAGE, BatchError, Trouble, error
-from .run import Tally
+from . import findings
+from .errors import LEAVES, USAGE, BatchError, Trouble
+from .run import Tally, finding_of
 from .unit import Unit
 from .work import Workplace
 
@@ -20,9 +21,7 @@ def share_of_this() -> tuple[int, int]:
     for pair in pairs:
         if len(pair) == 2 and all(text.isdigit() for text in pair) and int(pair[0]) < int(pair[1]):
             return int(pair[0]), int(pair[1])
-    text = ("nothing says which of how many workers this is: start it by mpirun or srun, or set FOURPOST_BATCH_SHARE "
-            "to 0/8 to 7/8")
-    raise BatchError([error("batch-launcher-unknown", text)], USAGE)
+    raise BatchError([findings.LAUNCHER_UNKNOWN()], USAGE)
 
 
 def run_launched(units: list[Unit], workplace: Workplace, tries: int,
@@ -54,6 +53,8 @@ def _bring(unit: Unit, workplace: Workplace, tries: int, tally: Tally) -> bool:
             tally.tried_again += 1
             if trouble.kind in LEAVES or attempt + 1 == tries:
                 tally.lost[unit.key] = trouble
+                if trouble.kind in LEAVES:
+                    tally.warnings.append(finding_of(trouble, workplace.build))
                 return trouble.kind not in LEAVES
             continue
         if text is not None:

@@ -23,7 +23,7 @@ class LocalCrew:
         try:
             workplace.check()
         except Trouble as trouble:
-            raise BatchError([finding_of(trouble, workplace.build, str(workplace.store.folder))], NOT_DONE) from None
+            raise BatchError([finding_of(trouble, workplace.build)], NOT_DONE) from None
         self._pool = concurrent.futures.ThreadPoolExecutor(workers or os.cpu_count())
         self._answers: queue.SimpleQueue[tuple[str, Outcome | Trouble]] = queue.SimpleQueue()
 

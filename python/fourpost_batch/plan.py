@@ -9,7 +9,9 @@ import sys
 from dataclasses import dataclass, field
 from typing import Any, Callable
 
-from .errors import USAGE, BatchError, Finding, did_you_mean, error
+from . import findings
+from .errors import USAGE, BatchError, Finding, did_you_mean
+from .findings import Kind
 
 DEFAULT_KEEP: tuple[str, ...] = ("result.json", "vehicle.urdf", "study.yaml", "parameters.csv")
 MOST = 1_000_000
@@ -50,12 +52,12 @@ class _Reader:
     def __init__(self, file: pathlib.Path, shown: str):
         self.file, self.shown, self.findings = file, shown, list[Finding]()
 
-    def refuse(self, node: Any, id: str, text: str) -> None:
-        self.findings.append(error(id, text, self.shown, node.start_mark.line + 1))
+    def refuse(self, node: Any, kind: Kind, *words: object) -> None:
+        self.findings.append(kind(*words, file=self.shown, line=node.start_mark.line + 1))
 
     def wrong(self, node: Any, key: str, remedy: str) -> None:
-        shown = str(node.value) if isinstance(node.value, str) else f"a {node.id}"
-        self.refuse(node, "batch-value-wrong", f"'{key}' cannot be '{shown[:80]}': {remedy}")
+        shown = {"sequence": "a list", "mapping": "keys with values"}.get(node.id) or f"'{str(node.value)[:80]}'"
+        self.refuse(node, findings.VALUE_WRONG, key, shown, remedy)
 
     # Each reads the value of `key`; nothing, and reported, where that is none.
 
@@ -123,8 +125,7 @@ class _Reader:
                 paths = [path] if path.exists() else []
             if not paths:
                 near = did_you_mean(path.name, os.listdir(path.parent)) if path.parent.is_dir() else ""
-                self.refuse(item, "batch-file-missing",
-                            f"no file '{text}'{near}: paths are relative to the plan's folder")
+                self.refuse(item, findings.FILE_MISSING, text, near)
             found += (pathlib.Path(os.path.abspath(one)) for one in paths)
         return found
 
@@ -133,8 +134,14 @@ class _Reader:
         if node.id != "mapping":
             self.wrong(node, key, "write parameters with their values, as {k: 20 kN/m}")
             return None
-        pairs = {name.value: self.text(value, name.value) for name, value in node.value}
-        return {name: value for name, value in pairs.items() if value is not None}
+        values = {}
+        for name, value in node.value:
+            if value.id == "scalar" and value.value.strip() and not value.tag.endswith(":null"):
+                values[str(name.value)] = str(value.value)
+            else:
+                self.wrong(value, name.value, "write one value with its unit, such as 20 kN/m; for several values write "
+                           "an entry for each, with a 'name' of its own")
+        return values
 
 
 R = _Reader
@@ -162,18 +169,17 @@ def _entry(reader: _Reader, section: str, node: Any) -> Entry | None:
         known = KEYS[section]
         if name.value not in known:
             near = did_you_mean(str(name.value), known)
-            reader.refuse(name, "batch-key-unknown",
-                          f"unknown key '{name.value}'{near}: the keys here are {', '.join(known)}")
+            reader.refuse(name, findings.KEY_UNKNOWN, name.value, near, ", ".join(known))
         elif name.value in values:
-            reader.refuse(name, "batch-plan-malformed", f"not a plan: the key '{name.value}' stands twice")
+            reader.refuse(name, findings.PLAN_MALFORMED, f"the key '{name.value}' stands twice")
         else:
             values[name.value] = known[name.value](reader, value, name.value)
     for needed in NEEDED[section]:
         if needed not in values:
-            reader.refuse(node, "batch-key-missing", f"'{needed}' is missing: an entry of '{section}' needs it")
+            reader.refuse(node, findings.KEY_MISSING, needed, f"an entry of '{section}' needs it")
     places = [key for key in ("of", "run", "vehicle") if key in values]
     if "of" in KEYS[section] and not places:
-        reader.refuse(node, "batch-key-missing", "'of' is missing: name an entry of 'fits', or a folder by 'run'")
+        reader.refuse(node, findings.KEY_MISSING, "of", "name an entry of 'fits', or a folder by 'run'")
     return Entry(section, node.start_mark.line + 1, values)
 
 
@@ -182,37 +188,36 @@ def read_plan(file: str | os.PathLike[str]) -> Plan:
     try:
         import yaml
     except ImportError:
-        text = f"this needs PyYAML, which {sys.executable} does not have: install it: apt install python3-yaml"
-        raise BatchError([error("batch-lacks-package", text)], USAGE) from None
+        lacks = findings.LACKS_PACKAGE("PyYAML", sys.executable, "apt install python3-yaml")
+        raise BatchError([lacks], USAGE) from None
     path = pathlib.Path(file)
     try:
         root = yaml.compose(path.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
     except FileNotFoundError:
-        raise BatchError([error("batch-file-missing", f"no file '{file}'", "")]) from None
+        raise BatchError([findings.FILE_MISSING(file, "")]) from None
     except (OSError, UnicodeDecodeError) as fault:
-        raise BatchError([error("batch-plan-malformed", f"not a plan: {fault}", file)]) from None
+        raise BatchError([findings.PLAN_MALFORMED(fault, file=file)]) from None
     except yaml.YAMLError as fault:
         mark = getattr(fault, "problem_mark", None)
-        text = f"not a plan: {getattr(fault, 'problem', None) or fault}: see docs/batch.md for its keys"
-        raise BatchError([error("batch-plan-malformed", text, file, mark.line + 1 if mark else 0)]) from None
+        why = getattr(fault, "problem", None) or fault
+        raise BatchError([findings.PLAN_MALFORMED(why, file=file, line=mark.line + 1 if mark else 0)]) from None
     reader = _Reader(pathlib.Path(os.path.abspath(path)), str(file))
     if root is None or root.id != "mapping":
-        text = f"not a plan: it has none of the sections {', '.join(KEYS)}: see docs/batch.md for its keys"
-        raise BatchError([error("batch-plan-malformed", text, file, 1)])
+        why = f"it has none of the sections {', '.join(KEYS)}"
+        raise BatchError([findings.PLAN_MALFORMED(why, file=file, line=1)])
     entries, keep = [], DEFAULT_KEEP
     for name, value in root.value:
         if name.value == "keep":
             keep = tuple(sorted({*DEFAULT_KEEP[:3], *reader.texts(value, "keep")}))
         elif name.value not in KEYS:
             near = did_you_mean(str(name.value), [*KEYS, "keep"])
-            reader.refuse(name, "batch-key-unknown",
-                          f"unknown key '{name.value}'{near}: the keys here are {', '.join(KEYS)}, keep")
+            reader.refuse(name, findings.KEY_UNKNOWN, name.value, near, ", ".join([*KEYS, "keep"]))
         elif value.id != "sequence":
             reader.wrong(value, name.value, "write a list of entries, each with keys")
         else:
             entries += [entry for item in value.value if (entry := _entry(reader, name.value, item))]
     if not reader.findings and not entries:
-        reader.findings.append(error("batch-empty", "the plan has no units: add 'fits' for example", file, 1))
+        reader.findings.append(findings.EMPTY(file=file, line=1))
     if reader.findings:
         raise BatchError(reader.findings)
     return Plan(reader.file, entries, keep)

@@ -6,7 +6,8 @@ import time
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Protocol
 
-from .errors import CANNOT_WRITE, NOT_DONE, BatchError, Finding, Trouble, error, warning
+from . import findings
+from .errors import CANNOT_WRITE, NOT_DONE, BatchError, Finding, Trouble
 from .store import Store
 from .unit import Unit
 
@@ -105,8 +106,7 @@ class _Run:
             try:
                 self.store.put(key, text)
             except OSError as fault:
-                wording = f"cannot write: {fault}: free space and run the batch again; results so far are kept"
-                raise BatchError([error("batch-cannot-write", wording)], CANNOT_WRITE) from None
+                raise BatchError([findings.CANNOT_WRITE(fault)], CANNOT_WRITE) from None
         result = self._see(key)
         if result is None:
             self._take_trouble(key, Trouble("lost", "its result does not appear in the folder"))
@@ -141,19 +141,13 @@ class _Run:
             self._send([key])
 
 
-def finding_of(trouble: Trouble, plan_build: str = "", store: str = "the folder of the batch") -> Finding:
-    """What a worker says of itself."""
-    worker, text = trouble.worker or "here", trouble.text
+def finding_of(trouble: Trouble, plan_build: str = "another build") -> Finding:
+    """What a worker that leaves says of itself."""
+    worker = trouble.worker or "here"
     if trouble.kind == "disk":
-        return warning("batch-worker-disk-full", f"the worker {worker} cannot write to its disk: {text}: free space in "
-                       "its TMPDIR; its units run elsewhere or later")
+        return findings.WORKER_DISK_FULL(worker, trouble.text)
     if trouble.kind == "build":
-        return warning("batch-worker-of-other-build", f"the worker {worker} is refused: it has {text}, and the plan is "
-                       f"of {plan_build or 'another build'}: install the same build there")
+        return findings.WORKER_OF_OTHER_BUILD(worker, trouble.text, plan_build)
     if trouble.kind == "files":
-        return warning("batch-worker-lacks-files", f"the worker {worker} lacks {text} and does not see {store}: let it "
-                       "share that folder, or run with --ship")
-    if trouble.kind == "program":
-        return warning("batch-worker-lacks-program", f"the worker {worker} has no program fourpost ({text}): install "
-                       "it, or name it by the variable FOURPOST_PROGRAM")
-    return error("batch-unit-lost", f"the worker {worker}: {text}: run the batch again; results so far are kept")
+        return findings.WORKER_LACKS_FILES(worker, trouble.text)
+    return findings.WORKER_LACKS_PROGRAM(worker, trouble.text)

@@ -10,7 +10,8 @@ import subprocess
 import time
 from typing import Any, Callable
 
-from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble, error
+from . import findings
+from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble
 from .run import Tally, finding_of
 from .store import Store, write_whole
 from .unit import Unit
@@ -21,7 +22,13 @@ MOST_TASKS = 1000
 ASK_EVERY_S = 2
 PATIENCE_S = 30
 """Tasks work on while the controller is away for so long."""
+AWAY = ("Unable to contact", "Connection refused", "timed out", "Zero Bytes were transmitted", "Socket")
+"""Of sbatch where its controller does not answer; all else it says is a refusal."""
 Progress = Callable[[Tally, int], None]
+
+
+def _in_a_line(said: str) -> str:
+    return " ".join(said.split()) or "it said nothing"
 
 
 def write_task_file(path: pathlib.Path, units: list[Unit], shares: int, workplace: Workplace) -> None:
@@ -55,10 +62,9 @@ def run_task(path: str) -> int:
         content: dict[str, Any] = json.loads(pathlib.Path(path).read_text())
         share = int(os.environ["SLURM_ARRAY_TASK_ID"])
     except (OSError, ValueError) as fault:
-        raise BatchError([error("batch-file-missing", f"no file '{path}' of an array: {fault}")]) from None
+        raise BatchError([findings.FILE_MISSING(path, f" ({fault})")]) from None
     except KeyError:
-        raise BatchError([error("batch-launcher-unknown", "SLURM_ARRAY_TASK_ID is not set: Slurm starts such tasks")],
-                         USAGE) from None
+        raise BatchError([findings.LAUNCHER_UNKNOWN()], USAGE)
     store = Store(content["store"])
     workplace = Workplace(content["store"], store.id, content["build"], content["program"])
     units = [Unit.of(unit) for unit in content["units"]]
@@ -77,8 +83,7 @@ class Slurm:
         self.options, self.tasks = shlex.split(options), tasks or 100
         self.folder = self.store.folder / "slurm"
         if shutil.which("sbatch") is None:
-            text = "this needs sbatch, which PATH does not have: install it: apt install slurm-client"
-            raise BatchError([error("batch-lacks-package", text)], USAGE)
+            raise BatchError([findings.LACKS_PACKAGE("sbatch", "PATH", "apt install slurm-client")], USAGE)
 
     def run(self, units: list[Unit], tries: int, progress: Progress) -> Tally:
         tally = Tally()
@@ -126,7 +131,9 @@ class Slurm:
                    f"--output={self.folder}/{name}-%a.out", *self.options, str(script)]
         outcome = subprocess.run(command, capture_output=True, text=True)
         if outcome.returncode != 0:
-            raise self._away(outcome.stderr)
+            if any(word in outcome.stderr for word in AWAY):
+                raise self._away(outcome.stderr)
+            raise BatchError([findings.SLURM_REFUSES(_in_a_line(outcome.stderr))], USAGE)
         job = outcome.stdout.strip().split(";")[0]
         try:
             self._wait(job, {unit.key for unit in units}, tally, progress)
@@ -137,9 +144,7 @@ class Slurm:
 
     @staticmethod
     def _away(said: str) -> BatchError:
-        text = (f"the scheduler Slurm does not answer: {' '.join(said.split()) or 'it said nothing'}: start it and run "
-                "the batch again; results so far are kept")
-        return BatchError([error("batch-scheduler-away", text)], NOT_DONE)
+        return BatchError([findings.SCHEDULER_AWAY("Slurm", _in_a_line(said))], NOT_DONE)
 
     def _wait(self, job: str, left: set[str], tally: Tally, progress: Progress) -> None:
         """Until all have results, or the array has ended."""
@@ -172,7 +177,7 @@ class Slurm:
                 trouble = Trouble(one["kind"], one["text"], one["worker"])
                 found[one["key"]] = trouble
                 if trouble.kind in LEAVES:
-                    self._warn(finding_of(trouble, self.workplace.build, str(self.store.folder)), tally)
+                    self._warn(finding_of(trouble, self.workplace.build), tally)
         return found
 
     @staticmethod

@@ -16,7 +16,8 @@ import socket
 import threading
 from typing import Any, Iterator
 
-from .errors import UNREADABLE, BatchError, error
+from . import findings
+from .errors import UNREADABLE, BatchError
 from .unit import read_result
 
 MARK = "batch.json"
@@ -67,8 +68,7 @@ class Store:
             names = os.listdir(store.folder) if store.folder.is_dir() else []
             # Another one may have begun meanwhile.
             if MARK not in names and any(not name.startswith(".") for name in names):
-                text = "holds files that are not those of a batch: name an empty or a new folder"
-                raise BatchError([error("batch-folder-other", text, folder)], UNREADABLE)
+                raise BatchError([findings.FOLDER_OTHER(file=folder)], UNREADABLE)
             store.folder.mkdir(parents=True, exist_ok=True)
             mark = {"about": "results of `fourpost batch`", "id": secrets.token_hex(16)}
             # Of several that begin at once one wins.
@@ -129,8 +129,7 @@ class Store:
         try:
             shutil.copyfile(path, beside)
             if file_hash(beside) != digest:
-                text = "no file of that content any more, it changes: run the batch again"
-                raise BatchError([error("batch-file-missing", text, path)])
+                raise BatchError([findings.FILE_CHANGES(path)])
             os.replace(beside, target)
         finally:
             beside.unlink(missing_ok=True)

@@ -73,7 +73,7 @@ class Workplace:
         if build != self.build:
             raise Trouble("build", f"{build} ({program.path})", self.worker)
         if not self.sees_store and self.shipped is None:
-            raise Trouble("files", str(self.store.folder), self.worker)
+            raise Trouble("files", f"the folder {self.store.folder}", self.worker)
         self.program = program.path
 
     def run(self, unit: Unit, fit: dict[str, Any] | None = None) -> tuple[str, bytes | None]:
@@ -161,7 +161,7 @@ class Workplace:
         elif self.sees_store and self.store.file(digest).exists():
             shutil.copyfile(self.store.file(digest), target)
             if file_hash(target) != digest:
-                raise Trouble("files", f"'{name}' was altered in {self.store.folder}/files", self.worker)
+                raise Trouble("files", f"'{name}' unaltered in {self.store.folder}/files", self.worker)
         else:
             raise Trouble("files", f"'{name}' ({digest[:12]})", self.worker)
 

@@ -1,11 +1,10 @@
 """What a plan asks for, and what is wrong with it."""
 import re
-import subprocess
 
 import pytest
-from conftest import FOURPOST, STUB
+from conftest import FOURPOST, SOURCE, STUB
 
-from fourpost_batch import BatchError, Program, Unit, expand, read_plan
+from fourpost_batch import BatchError, Program, Unit, expand, findings, read_plan
 
 FITS = "fits:\n  - study: a.yaml\n    seeds: 1..3\n"
 
@@ -55,6 +54,29 @@ def test_runs_are_folders_and_patterns_of_them(batch, folder):
         there.write(f"runs/{name}/result.json", '{"versions": {"fourpost": "0.2.0"}}')
     units = units_of(there, "predictions: [{run: runs/*, recordings: r.csv}]")
     assert [unit.name for unit in units] == ["one/predict/r", "two/predict/r"]
+
+
+@pytest.mark.parametrize("of, fits", [
+    ("var", ["var/a/seed1", "var/a/seed2", "var/b/seed1", "var/b/seed2"]), ("var/a", ["var/a/seed1", "var/a/seed2"]),
+    ("var/b/seed2", ["var/b/seed2"]), ("[var/a/seed1, '*seed1']", ["var/a/seed1", "var/b/seed1"])])
+def test_predictions_are_of_an_entry_a_study_or_a_unit(batch, of, fits):
+    batch.study("a.yaml", "delay 0")
+    batch.study("b.yaml", "delay 0")
+    batch.write("r.csv", "x")
+    units = units_of(batch, "fits: [{study: '?.yaml', name: var, seeds: 1..2}]\n"
+                            "predictions: [{of: %s, recordings: r.csv}]" % of)
+    assert [unit.name for unit in units[4:]] == [f"{fit}/predict/r" for fit in fits]
+
+
+def test_an_unknown_fit_is_answered_with_the_names_there_are(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.study("b.yaml", "delay 0")
+    text = "fits: [{study: '?.yaml', name: var}]\npredictions: [{of: varr, recordings: a.yaml}]"
+    with pytest.raises(BatchError, match=r"'varr', did you mean 'var'\? name one of var/a, var, var/b, or a folder"):
+        units_of(batch, text)
+    # The name of an entry and that of a fit are two.
+    text = "fits:\n- {study: a.yaml, name: var}\n- {study: '?.yaml', name: var}"
+    assert refused(batch, text) == [("batch-name-twice", 3)]
 
 
 def test_a_key_is_that_of_the_inputs(batch):
@@ -114,6 +136,16 @@ def test_a_fault_has_its_line(batch, text, id, line):
     assert refused(batch, text) == [(id, line)]
 
 
+def test_what_set_allows_is_said(batch):
+    batch.study("a.yaml", "delay 0")
+    for value, shown in (("[1 N, 2 N]", "a list"), ("{from: 1}", "keys with values")):
+        with pytest.raises(BatchError) as caught:
+            units_of(batch, "fits: [{study: a.yaml, set: {k: %s}}]" % value)
+        assert caught.value.findings[0].text == (
+            f"'k' cannot be {shown}: write one value with its unit, such as 20 kN/m; for several values write an entry "
+            "for each, with a 'name' of its own")
+
+
 def test_what_a_study_reads_is_what_the_program_says(starter):
     starter.write("plan.yaml", "fits: [{study: car/study.yaml}]")
     expanded = expand(read_plan(starter.folder / "plan.yaml"), Program(FOURPOST))
@@ -138,13 +170,23 @@ def test_recordings_are_read_before_anything_is_paid(starter, before, after, id)
     assert not list((starter.folder / "out").glob("units/*/*"))
 
 
-def test_ids_are_those_of_the_program():
-    shown = subprocess.run([FOURPOST, "help", "findings"], capture_output=True, text=True, check=True).stdout
-    known = dict(re.findall(r"^\| `(batch-[a-z-]+)` \| (error|warning)", shown, re.M))
-    package = STUB.parents[2] / "python/fourpost_batch"
-    used = {id: severity for path in package.glob("*.py")
-            for severity, id in re.findall(r'\b(error|warning)\("(batch-[a-z-]+)"', path.read_text())}
+def test_findings_have_the_words_of_the_program():
+    """Each, in its table, by which `fourpost help` explains it."""
+    text = (SOURCE / "identify/command_line/batch_findings.h").read_text()
+    string = r'((?:"(?:[^"\\\\]|\\\\.)*"\s*)+)'
+    row = re.compile(r'inline const Finding \w+\{\s*"([a-z-]+)",\s*Severity::k(\w+),\s*%s,\s*%s\};' % (string, string))
+    words = [(id, severity.lower(), *("".join(re.findall(r'"((?:[^"\\]|\\.)*)"', part)) for part in parts))
+             for id, severity, *parts in row.findall(text)]
+    assert len(words) == text.count("inline const Finding")
     of_program = {"batch-without-plan", "batch-without-output", "batch-without-package", "batch-without-python"}
-    assert {id: severity for id, severity in known.items() if id in used} == used
-    text = "".join(path.read_text() for path in package.glob("*.py"))
-    assert {id for id in known if f'"{id}"' not in text} == of_program
+    assert {tuple(kind) for kind in findings.TABLE} == {one for one in words if one[0] not in of_program}
+    known = set(re.findall(r"^\| `(batch-[a-z-]+)`", (SOURCE / "docs/findings.md").read_text(), re.M))
+    assert known == {one[0] for one in words}
+
+
+def test_every_finding_is_used_and_none_is_written_elsewhere():
+    package = SOURCE / "python/fourpost_batch"
+    code = "".join(path.read_text() for path in package.glob("*.py") if path.name != "findings.py")
+    names = {name for name, kind in vars(findings).items() if isinstance(kind, findings.Kind)}
+    assert names == set(re.findall(r"findings\.([A-Z_]+)\b", code))
+    assert "batch-" not in re.sub(r"fourpost-batch-", "", code)

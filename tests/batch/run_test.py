@@ -129,7 +129,7 @@ def test_a_unit_that_always_dies_is_given_up(batch):
     batch.study("c.yaml", f"once {batch.folder}/was_here")
     batch.write("plan.yaml", "fits: [{study: '?.yaml'}]\npredictions: [{of: '*', recordings: plan.yaml}]")
     outcome = batch.run("--output=out", "--tries=3", code=75)
-    assert "the unit 'a' has no result: " in outcome.stderr and "[batch-unit-lost]" in outcome.stderr
+    assert "no result for the unit 'a': code 137: " in outcome.stderr and "[batch-unit-lost]" in outcome.stderr
     answer = batch.json("--output=out", "--tries=3", code=75)
     assert [unit["state"] for unit in answer["units"]] == ["missing", "done", "done", "missing", "done", "done"]
     assert answer["work"] == {"found": 4, "paid": 0, "tried_again": 3}
@@ -145,6 +145,17 @@ def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
         assert answer["work"]["paid"] == paid
         assert "study.yaml:2: error: it was to fail" in outcome.stderr
         assert "[batch-unit-failed]" in outcome.stderr and "[batch-unit-blocked]" in outcome.stderr
+
+
+def test_a_reason_is_said_once(batch):
+    batch.study("a.yaml", "code 3")
+    batch.study("b.yaml", "code 4")
+    batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 1..3}, {study: b.yaml}]\n"
+                             "predictions: [{of: b, recordings: [plan.yaml, a.yaml]}]")
+    said = batch.run("--output=out", code=1).stderr.splitlines()
+    assert [line.split(":")[1] for line in said] == [
+        " the unit 'a/seed1' and 2 others ended with code 3", " the unit 'b' ended with code 4",
+        " the unit 'b/predict/plan' and 1 other cannot run, as 'b' has no fit"]
 
 
 def test_the_same_work_is_done_once(batch):
@@ -280,6 +291,13 @@ def test_workers_of_a_launcher_share_the_units(batch):
     # The last one wrote the tables.
     assert content(batch.folder / "out") == content(batch.folder / "serial")
     assert "[batch-launcher-unknown]" in batch.run("--output=out", "--on=launcher", code=2).stderr
+
+
+def test_a_misspelt_place_is_asked_about(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", PLAN % 1)
+    assert ", did you mean 'slurm'? write one of local, " in batch.run("--output=out", "--on=slrum", code=2).stderr
+    assert ", did you mean 'dask:'?" in batch.run("--output=out", "--on=dusk://head:8786", code=2).stderr
 
 
 def test_the_program_refuses_what_it_cannot_run(batch):

@@ -54,3 +54,13 @@ def test_a_scheduler_that_does_not_answer_is_said(batch):
     (batch.folder / "bin/sbatch").write_text("#!/bin/sh\necho 'sbatch: error: Unable to contact slurm controller' >&2\nexit 1\n")
     said = batch.run("--output=out", "--on=slurm", code=75, **environment).stderr
     assert "Unable to contact slurm controller" in said and "[batch-scheduler-away]" in said
+
+
+def test_a_refusal_has_the_words_of_sbatch(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", "comparisons: [{study: a.yaml, seeds: 1..4}]")
+    environment = prepared(batch)
+    refusal = "sbatch: error: invalid partition specified: lang"
+    (batch.folder / "bin/sbatch").write_text(f"#!/bin/sh\necho '{refusal}' >&2\nexit 1\n")
+    said = batch.run("--output=out", "--on=slurm", code=2, **environment).stderr
+    assert f"Slurm refuses the array: {refusal}: correct " in said and "[batch-slurm-refuses]" in said

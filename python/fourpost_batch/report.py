@@ -1,0 +1,74 @@
+"""What is said of a batch at its end: units without a usable result, warnings of units, counts."""
+from __future__ import annotations
+
+import argparse
+import collections
+import json
+import sys
+from typing import Iterable
+
+from . import findings
+from .errors import Finding, Trouble
+from .run import Tally
+from .summary import State
+
+MOST_LINES = 20
+REFUSED = {"build": "its worker has another build of fourpost", "files": "its worker does not see its files",
+           "program": "its worker has no program fourpost", "disk": "the disk of its worker is full"}
+"""Kinds of trouble of which a warning about the worker says more."""
+
+
+def print_report(options: argparse.Namespace, found: list[State], tally: Tally) -> None:
+    counts = {state: sum(one.state == state for one in found) for state in ("done", "failed", "blocked", "missing")}
+    if options.json:
+        units = [{"name": one.unit.name, "kind": one.unit.kind, "state": one.state, "code": one.code,
+                  "key": one.unit.key} for one in found]
+        warnings = [{"id": finding.id, "text": finding.text} for finding in tally.warnings]
+        print(json.dumps({"folder": str(options.output) if options.output else None, "counts": counts,
+                          "work": {"found": tally.found, "paid": tally.paid, "tried_again": tally.tried_again},
+                          "units": units, "warnings": warnings}, indent=2))
+        return
+    if options.list:
+        wide = max([4] + [len(one.unit.name) for one in found])
+        print(f"{'unit':{wide}}  kind        state")
+        for one in found:
+            print(f"{one.unit.name:{wide}}  {one.unit.kind:10}  {one.state}")
+    kinds = collections.Counter(one.unit.kind for one in found)
+    print(f"{len(found)} units ({', '.join(f'{kind}: {count}' for kind, count in kinds.items())}): " +
+          ", ".join(f"{count} {state}" for state, count in counts.items() if count))
+    if not options.list:
+        print(f"computed now {tally.paid}, there before {tally.found}, tried again {tally.tried_again}")
+
+
+def print_some(lines: Iterable[object]) -> None:
+    """On stderr."""
+    lines = list(lines)
+    for line in lines[:MOST_LINES]:
+        print(line, file=sys.stderr)
+    if len(lines) > MOST_LINES:
+        print(f"and {len(lines) - MOST_LINES} more; results.csv has the state of all", file=sys.stderr)
+
+
+def of_units(names: list[str]) -> str:
+    others = len(names) - 1
+    return f"the unit '{names[0]}'" + (f" and {others} other{'s' * (others > 1)}" if others else "")
+
+
+def findings_of_units(found: list[State], tally: Tally) -> list[Finding]:
+    """Of those without a usable result; units with the same reason share one."""
+    names = {one.unit.key: one.unit.name for one in found}
+    groups: dict[tuple[findings.Kind, tuple[object, ...]], list[str]] = collections.defaultdict(list)
+    for one in found:
+        result = one.result if one.state == "failed" else None
+        if result:
+            why = next((text for text in result["messages"] if "error: " in text), "it said nothing")
+            groups[findings.UNIT_FAILED, (one.code, why)].append(one.unit.name)
+        elif one.state == "blocked":
+            groups[findings.UNIT_BLOCKED, (names.get(one.unit.after, "its fit"),)].append(one.unit.name)
+        elif one.unit.key in tally.lost:
+            groups[findings.UNIT_LOST, (_reason(tally.lost[one.unit.key]),)].append(one.unit.name)
+    return [kind(of_units(units), *words) for (kind, words), units in groups.items()]
+
+
+def _reason(trouble: Trouble) -> str:
+    return REFUSED.get(trouble.kind, trouble.text)
