@@ -13,7 +13,7 @@ from .page import ProgressPage
 from .plan import read_plan
 from .program import Program
 from .progress import ProgressLine
-from .report import findings_of_units, print_report, print_some
+from .report import findings_of_units, of_units, print_report, print_some, warnings_of_units
 from .run import Tally, run
 from .store import Store
 from .summary import states, unpack, write_tables
@@ -101,7 +101,8 @@ def main(words: list[str]) -> int:
     expanded = expand(read_plan(options.plan), Program(options.program))
     if options.list:
         is_there = options.output and os.path.isdir(options.output)
-        print_report(options, states(expanded.units, Store(options.output) if is_there else None), Tally())
+        found = states(expanded.units, Store(options.output) if is_there else None)
+        print_report(options, found, Tally(), warnings_of_units(found))
         return 0
     store = Store.make(options.output)
     line = ProgressLine(len({unit.key for unit in expanded.units}))
@@ -118,8 +119,10 @@ def main(words: list[str]) -> int:
         tally.warnings.append(findings.RESULT_DAMAGED(len(store.damaged)))
     line.tell_warnings(tally)
     faults = findings_of_units(found, tally)
+    warned = warnings_of_units(found)
+    print_some(f"{of_units(names)}: {finding}" for finding, names in warned)
     print_some(faults)
-    print_report(options, found, tally)
+    print_report(options, found, tally, warned)
     return NOT_DONE if tally.lost else UNIT_FAILED if faults else 0
 
 

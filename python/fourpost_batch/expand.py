@@ -87,7 +87,7 @@ class _Expansion:
             return [study]
         outcome = subprocess.run([self.program.path, "info", study, "--json"], capture_output=True, text=True)
         if outcome.returncode != 0:
-            self.findings += _findings_of(outcome.stderr) or [findings.PLAN_MALFORMED(outcome.stderr, file=study)]
+            self.findings += findings.read(outcome.stderr, "error") or [findings.PLAN_MALFORMED(outcome.stderr, file=study)]
             return []
         names = json.loads(outcome.stdout)["files"][0]["inputs"]
         files = [pathlib.Path(os.path.abspath(name)) for name in names]
@@ -233,13 +233,3 @@ def _meshes(vehicle: pathlib.Path) -> list[pathlib.Path]:
     names = re.findall(r"""\bfilename\s*=\s*["']([^"']+)["']""", vehicle.read_text("utf-8", "replace"))
     paths = (vehicle.parent / re.sub(r"^(package|file)://", "", name) for name in names)
     return [pathlib.Path(os.path.abspath(path)) for path in paths if path.is_file()]
-
-
-def _findings_of(text: str) -> list[Finding]:
-    """As the program printed them."""
-    found = []
-    for line in text.splitlines():
-        parts = re.fullmatch(r"(?:(.*?)(?::(\d+))?: )?(error): (.*) \[([a-z0-9-]+)\]", line)
-        if parts:
-            found.append(Finding(parts[5], "error", parts[4], parts[1] or "", int(parts[2] or 0)))
-    return found

@@ -1,6 +1,7 @@
 """All that this package can find, in the words of identify/command_line/batch_findings.h, which `fourpost help` shows."""
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from .errors import Finding
@@ -81,5 +82,12 @@ FOLDER_OTHER = _error("batch-folder-other", "holds files that are not those of a
 CANNOT_WRITE = _error("batch-cannot-write", "cannot write: {}", f"free space and {AGAIN}")
 RESULT_DAMAGED = _warning("batch-result-damaged", "{} results were altered on disk and are computed again",
                           "check the disk if that was nobody's intention")
+
+
+def read(text: str, severity: str) -> list[Finding]:
+    """Those of this severity among what the program printed."""
+    rows = (re.fullmatch(r"(?:(.*?)(?::(\d+))?: )?(error|warning): (.*) \[([a-z0-9-]+)\]", line) for line in text.splitlines())
+    return [Finding(row[5], severity, row[4], row[1] or "", int(row[2] or 0)) for row in rows if row and row[3] == severity]
+
 
 TABLE = [kind for kind in list(globals().values()) if isinstance(kind, Kind)]

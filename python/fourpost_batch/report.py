@@ -4,13 +4,14 @@ from __future__ import annotations
 import argparse
 import collections
 import json
+import re
 import sys
 from typing import Iterable
 
 from . import findings
 from .errors import Finding, Trouble
 from .run import Tally
-from .summary import State
+from .summary import State, warnings_of
 
 MOST_LINES = 20
 REFUSED = {"build": "its worker has another build of fourpost", "files": "its worker does not see its files",
@@ -18,21 +19,26 @@ REFUSED = {"build": "its worker has another build of fourpost", "files": "its wo
 """Kinds of trouble of which a warning about the worker says more."""
 
 
-def print_report(options: argparse.Namespace, found: list[State], tally: Tally) -> None:
+Warned = list[tuple[Finding, list[str]]]
+"""A finding, and the names of the units that gave it."""
+
+
+def print_report(options: argparse.Namespace, found: list[State], tally: Tally, warned: Warned) -> None:
     counts = {state: sum(one.state == state for one in found) for state in ("done", "failed", "blocked", "missing")}
     if options.json:
         units = [{"name": one.unit.name, "kind": one.unit.kind, "state": one.state, "code": one.code,
-                  "key": one.unit.key} for one in found]
-        warnings = [{"id": finding.id, "text": finding.text} for finding in tally.warnings]
+                  "warnings": one.warnings, "key": one.unit.key} for one in found]
+        warnings = [{"id": finding.id, "text": finding.text, "units": names}
+                    for finding, names in [*((finding, []) for finding in tally.warnings), *warned]]
         print(json.dumps({"folder": str(options.output) if options.output else None, "counts": counts,
                           "work": {"found": tally.found, "paid": tally.paid, "tried_again": tally.tried_again},
                           "units": units, "warnings": warnings}, indent=2))
         return
     if options.list:
         wide = max([4] + [len(one.unit.name) for one in found])
-        print(f"{'unit':{wide}}  kind        state")
+        print(f"{'unit':{wide}}  kind        state    warnings")
         for one in found:
-            print(f"{one.unit.name:{wide}}  {one.unit.kind:10}  {one.state}")
+            print(f"{one.unit.name:{wide}}  {one.unit.kind:10}  {one.state:7}  {one.warnings or ''}".rstrip())
     kinds = collections.Counter(one.unit.kind for one in found)
     print(f"{len(found)} units ({', '.join(f'{kind}: {count}' for kind, count in kinds.items())}): " +
           ", ".join(f"{count} {state}" for state, count in counts.items() if count))
@@ -68,6 +74,17 @@ def findings_of_units(found: list[State], tally: Tally) -> list[Finding]:
         elif one.unit.key in tally.lost:
             groups[findings.UNIT_LOST, (_reason(tally.lost[one.unit.key]),)].append(one.unit.name)
     return [kind(of_units(units), *words) for (kind, words), units in groups.items()]
+
+
+def warnings_of_units(found: list[State]) -> Warned:
+    """Each that differs from others by more than its numbers: that of the first unit, and the names of all."""
+    groups: dict[tuple[str, str], tuple[Finding, list[str]]] = {}
+    for one in found:
+        for finding in warnings_of(one.result or {"messages": []}) if one.warnings else []:
+            _, names = groups.setdefault((finding.id, re.sub(r"[\d.]+", "", str(finding))), (finding, []))
+            if one.unit.name not in names[-1:]:
+                names.append(one.unit.name)
+    return list(groups.values())
 
 
 def _reason(trouble: Trouble) -> str:

@@ -9,8 +9,13 @@ import pathlib
 from dataclasses import dataclass
 from typing import Any, Iterable, Iterator
 
+from . import findings
+from .errors import Finding
 from .store import Store, write_whole
 from .unit import Unit
+
+PRINTED = {"fit": "printed.txt", "coverage": "result.csv"}
+"""Files for what units print; that of the others is JSON."""
 
 
 @dataclass(frozen=True)
@@ -22,6 +27,8 @@ class State:
     """"done"; "failed": by its inputs; "blocked": the fit that it needs has failed; "missing": not run yet, or lost."""
     code: int | None
     """Exit code, of one that has a result."""
+    warnings: int
+    """That it gave."""
     store: Store | None
 
     @property
@@ -34,21 +41,25 @@ def states(units: Iterable[Unit], store: Store | None) -> list[State]:
     """In the order of the units."""
     units, found = list(units), []
     results = ((unit.key, store.get(unit.key) if store else None) for unit in units)
-    codes: dict[str, int] = {key: result["code"] for key, result in results if result}
+    facts: dict[str, tuple[int, int]] = {key: (result["code"], len(warnings_of(result))) for key, result in results if result}
     for unit in units:
-        code = codes.get(unit.key)
+        code, warnings = facts.get(unit.key, (None, 0))
         if code is not None:
             state = "done" if code < (1 if unit.kind == "coverage" else 2) else "failed"
         else:
-            state = "blocked" if codes.get(unit.after, 0) >= 2 else "missing"
-        found.append(State(unit, state, code, store))
+            state = "blocked" if facts.get(unit.after, (0, 0))[0] >= 2 else "missing"
+        found.append(State(unit, state, code, warnings, store))
     return found
+
+
+def warnings_of(result: dict[str, Any]) -> list[Finding]:
+    return findings.read("\n".join(result["messages"]), "warning")
 
 
 def write_tables(found: list[State], store: Store) -> None:
     """results.csv, and one table for each kind of unit that has rows for it. Raises OSError."""
-    tables = {"results": _csv(["unit", "kind", "state", "code", "key"],
-                              [[s.unit.name, s.unit.kind, s.state, s.code, s.unit.key] for s in found]),
+    tables = {"results": _csv(["unit", "kind", "state", "code", "warnings", "key"],
+                              [[s.unit.name, s.unit.kind, s.state, s.code, s.warnings, s.unit.key] for s in found]),
               "parameters": _parameters(found), "predictions": _predictions(found),
               "comparisons": _comparisons(found), "choices": _choices(found), "coverage": _coverage(found)}
     for name, text in tables.items():
@@ -69,7 +80,7 @@ def unpack(found: list[State], store: Store) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         files = dict(result["files"])
         if result["printed"]:
-            files["result.csv" if one.unit.kind == "coverage" else "result.json"] = result["printed"]
+            files[PRINTED.get(one.unit.kind, "result.json")] = result["printed"]
         for name, text in files.items():
             write_whole(folder / os.path.basename(name), text.encode("utf-8", "surrogateescape"))
 
@@ -82,39 +93,44 @@ def _csv(head: list[str], rows: list[list[Any]]) -> str:
     return text.getvalue() if rows else ""
 
 
-def _documents(found: list[State], kind: str) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Results in JSON, by the name of their unit."""
+def _documents(found: list[State], kind: str) -> Iterator[tuple[Unit, dict[str, Any]]]:
+    """Results in JSON."""
     for one in found:
         result = one.result if one.unit.kind == kind and one.state == "done" else None
         if result:
             text = result["files"].get("result.json") if kind == "fit" else result["printed"]
-            yield one.unit.name, json.loads(text) if text else {}
+            yield one.unit, json.loads(text) if text else {}
 
 
 def _parameters(found: list[State]) -> str:
+    head = ["unit", "study", "seed", "set", "parameter", "value", "value_unit", "sd", "lower", "upper", "state", "cost",
+            "misfit", "explains_data", "termination"]
     rows = []
-    for name, result in _documents(found, "fit"):
-        for one in result.get("parameters", []):
+    for unit, result in _documents(found, "fit"):
+        values = "; ".join(word.removeprefix("--set=") for word in unit.command if word.startswith("--set="))
+        explains = (result["verdict"] or {}).get("explains_data")
+        of_fit = [result["cost"], result["misfit"], None if explains is None else str(explains).lower(), result["termination"]]
+        for one in result["parameters"]:
             low, high = one.get("interval_95") or (None, None)
-            rows.append([name, one["name"], one["value"], one["sd"], low, high, one["state"], result["cost"],
-                         result["termination"]])
-    return _csv(["unit", "parameter", "value", "sd", "lower", "upper", "state", "cost", "termination"], rows)
+            rows.append([unit.name, result["study"], result["seed"], values, one["name"], one["value"], one["unit"],
+                         one["sd"], low, high, one["state"], *of_fit])
+    return _csv(head, rows)
 
 
 def _predictions(found: list[State]) -> str:
-    rows = [[name, result["recording"], one["name"], one["nmse_percent"]]
-            for name, result in _documents(found, "prediction") for one in result.get("channels", [])]
+    rows = [[unit.name, result["recording"], one["name"], one["nmse_percent"]]
+            for unit, result in _documents(found, "prediction") for one in result.get("channels", [])]
     return _csv(["unit", "recording", "channel", "nmse_percent"], rows)
 
 
 def _comparisons(found: list[State]) -> str:
-    rows = [[name, one["name"], one["runs"], one["successes"], one["expected_evaluations"]]
-            for name, result in _documents(found, "comparison") for one in result.get("methods", [])]
+    rows = [[unit.name, one["name"], one["runs"], one["successes"], one["expected_evaluations"]]
+            for unit, result in _documents(found, "comparison") for one in result.get("methods", [])]
     return _csv(["unit", "method", "runs", "successes", "expected_evaluations"], rows)
 
 
 def _choices(found: list[State]) -> str:
-    rows = [[name, knob, position] for name, result in _documents(found, "choice")
+    rows = [[unit.name, knob, position] for unit, result in _documents(found, "choice")
             for knob, position in ((result.get("best") or {}).get("setting") or {}).items()]
     return _csv(["unit", "knob", "best"], rows)
 

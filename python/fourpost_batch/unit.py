@@ -6,7 +6,7 @@ import json
 from dataclasses import asdict, dataclass
 from typing import Any
 
-FORMAT = 1
+FORMAT = 2
 """Of keys and results; a change makes all units be computed anew."""
 FIT_FOLDER = "fourpost_fit"
 """Where a fit stands in the folder in which a unit runs."""

@@ -200,7 +200,7 @@ class Workplace:
             for path in sorted((place / FIT_FOLDER).iterdir()):
                 if any(fnmatch.fnmatch(path.name, pattern) for pattern in unit.keep):
                     files[path.name] = path.read_bytes().decode("utf-8", "surrogateescape")
-        printed = "" if unit.kind == "fit" else output.decode("utf-8", "surrogateescape")
+        printed = output.decode("utf-8", "surrogateescape")
         if '"interrupted": true' in printed or '"termination": "interrupted"' in files.get("result.json", ""):
             raise Trouble("lost", "it was interrupted", self.worker)
         return {"code": code, "printed": printed, "files": files,

@@ -1,4 +1,5 @@
 """Batches on this machine: results are those of the program, whoever is killed meanwhile."""
+import csv
 import json
 import os
 import random
@@ -37,6 +38,8 @@ def test_results_are_those_of_the_program(starter):
     runs = starter.folder / "out/runs/study"
     for name in ("result.json", "vehicle.urdf", "report.html", "response.csv"):
         assert (runs / "seed2" / name).read_bytes() == (starter.folder / "run" / name).read_bytes(), name
+    printed = say("fit", "car/study.yaml", "-o", "fourpost_fit", "--seed", "2", "--threads", "1")
+    assert (runs / "seed2/printed.txt").read_text() == printed != ""
     prediction = say("predict", "run", "--recording", "car/stepped_sine.csv", "--json")
     assert (runs / "seed2/predict/stepped_sine/result.json").read_text() == prediction
     chosen = json.loads(say("choose", "run", "--settings", "settings.yaml", "--no-checks", "--json"))
@@ -156,6 +159,34 @@ def test_a_reason_is_said_once(batch):
     assert [line.split(":")[1] for line in said] == [
         " the unit 'a/seed1' and 2 others ended with code 3", " the unit 'b' ended with code 4",
         " the unit 'b/predict/plan' and 1 other cannot run, as 'b' has no fit"]
+
+
+def test_warnings_of_units_are_counted_and_shown_once(batch):
+    for name, fate in (("a", "warn 2.5"), ("b", "warn 3"), ("c", "delay 0")):
+        batch.study(f"{name}.yaml", fate)
+    batch.write("plan.yaml", "fits: [{study: '?.yaml', seeds: 1..2}]")
+    outcome = batch.run("--output=out", "--json")
+    shown = "study.yaml:2: warning: a damper is 2.5 times too stiff: measure it [stub-warns]"
+    assert outcome.stderr == f"the unit 'a/seed1' and 3 others: {shown}\n"
+    answer = json.loads(outcome.stdout)
+    assert [unit["warnings"] for unit in answer["units"]] == [1, 1, 1, 1, 0, 0]
+    assert answer["warnings"] == [{"id": "stub-warns", "text": "a damper is 2.5 times too stiff: measure it",
+                                   "units": ["a/seed1", "a/seed2", "b/seed1", "b/seed2"]}]
+    with open(batch.folder / "out/results.csv") as table:
+        assert [row["warnings"] for row in csv.DictReader(table)] == list("111100")
+
+
+def test_a_table_of_parameters_says_of_which_fit_they_are(starter):
+    starter.write("plan.yaml", "fits:\n- {study: car/study.yaml, seeds: 3, set: {k: 21 kN/m, c_bump: 1400 N*s/m}}\n"
+                               "- {study: car/study.yaml, name: own}\n")
+    starter.run("--output=out", "--unpack", program=FOURPOST)
+    with open(starter.folder / "out/parameters.csv") as table:
+        rows = [row for row in csv.DictReader(table) if row["parameter"] == "k"]
+    result = json.loads((starter.folder / "out/runs/study/seed3/result.json").read_text())
+    assert [(row["unit"], row["study"], row["seed"], row["set"]) for row in rows] == [
+        ("study/seed3", "study.yaml", "3", "k=21 kN/m; c_bump=1400 N*s/m"), ("own", "study.yaml", "1", "")]
+    assert rows[0]["value_unit"] == "N/m" and rows[0]["explains_data"] == "true"
+    assert float(rows[0]["misfit"]) == result["misfit"]
 
 
 def test_the_same_work_is_done_once(batch):
