@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import sys
 from typing import Any, Callable
@@ -100,14 +101,21 @@ def main(words: list[str]) -> int:
     _check_place(options.on)
     expanded = expand(read_plan(options.plan), Program(options.program))
     if options.list:
-        is_there = options.output and os.path.isdir(options.output)
-        found = states(expanded.units, Store(options.output) if is_there else None)
+        there = Store(options.output) if options.output and Store(options.output).id else None
+        found = states(expanded.units, there)
         print_report(options, found, Tally(), warnings_of_units(found))
+        if there:
+            write_tables(found, there)
         return 0
     store = Store.make(options.output)
     line = ProgressLine(len({unit.key for unit in expanded.units}))
     try:
         tally, is_whole = _run(options, expanded, store, line)
+    except (BatchError, KeyboardInterrupt):
+        # Of what is done; why it ended matters more than a full disk.
+        with contextlib.suppress(OSError):
+            write_tables(states(expanded.units, store), store)
+        raise
     finally:
         line.end()
     found = states(expanded.units, store)

@@ -124,6 +124,27 @@ def test_ctrl_c_keeps_what_there_is(batch):
     program.send_signal(signal.SIGINT)
     # Nor does it wait for units of minutes.
     assert "interrupted" in program.communicate(timeout=60)[1] and program.returncode == 130
+    there = len(list(batch.folder.glob("out/units/*/[!.]*.json")))
+    assert there and states_in(batch) == ["done"] * there + ["missing"] * (8 - there)
+
+
+def states_in(batch):
+    with open(batch.folder / "out/results.csv") as table:
+        return sorted(row["state"] for row in csv.DictReader(table))
+
+
+def test_a_list_writes_tables_of_what_is_done(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 1..2}]")
+    batch.run("--output=out")
+    (batch.folder / "out/results.csv").unlink()
+    batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 1..5}]")
+    batch.run("--output=out", "--list")
+    assert states_in(batch) == ["done"] * 2 + ["missing"] * 3
+    # A folder of others is left alone.
+    batch.write("other/file", "")
+    batch.run("--output=other", "--list")
+    assert [path.name for path in (batch.folder / "other").iterdir()] == ["file"]
 
 
 def test_a_unit_that_always_dies_is_given_up(batch):
