@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import logging
 import os
 import sys
 from typing import Any, Callable
@@ -47,6 +48,8 @@ def _check_place(on: str) -> None:
 
 def _dask(options: argparse.Namespace, workplace: Workplace, files: dict[str, bytes] | None, page: ProgressPage) -> Any:
     from .dask_crew import DaskCrew
+    # Dask logs tracebacks where a scheduler goes away; a finding says so.
+    logging.disable(logging.CRITICAL)
     place = options.on.removeprefix("dask:")
     crew = DaskCrew("tcp:" + place if place.startswith("//") else place, workplace, files)
     page.link = crew.dashboard

@@ -4,15 +4,17 @@ What workers need is carried to them once, see dask_plant.py; a worker that can 
 """
 from __future__ import annotations
 
+import contextlib
 import json
+import os
 import pathlib
 import queue
 import sys
 import time
-from typing import Any, Mapping
+from typing import Any, Iterator, Mapping
 
 from . import findings
-from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble
+from .errors import LEAVES, NOT_DONE, USAGE, BatchError, Finding, Trouble, did_you_mean
 from .run import Outcome, finding_of
 from .unit import Unit
 from .work import Workplace
@@ -52,30 +54,48 @@ class DaskCrew:
         self.carries = files is not None
         self._alone_since: float | None = None
         self._refused: list[Finding] = []
-        self._client.subscribe_topic(NAME, lambda event: self._events.put(event[1]))
+        self._name = NAME + self._client.id
         sources = {path.name: path.read_text() for path in sorted(pathlib.Path(__file__).parent.glob("*.py"))}
-        plant = Plant(sources, (str(self._store.folder), workplace.store.id, workplace.build, workplace.hint), files)
-        if self._is_registered():
-            # That of an earlier batch would stay.
-            self._client.unregister_worker_plugin(NAME)
-        self._client.register_worker_plugin(plant, NAME)
+        place = (str(self._store.folder), workplace.store.id, workplace.build, workplace.hint)
+        with self._asking():
+            self._client.subscribe_topic(self._name, lambda event: self._events.put(event[1]))
+            self._forget_killed_batches()
+            self._client.register_worker_plugin(Plant(self._name, sources, place, files), self._name)
 
     @property
     def dashboard(self) -> str:
         """Where the scheduler shows its progress; empty where it does not."""
-        services = self._client.scheduler_info().get("services", {})
+        with self._asking():
+            services = self._client.scheduler_info().get("services", {})
         return str(self._client.dashboard_link) if "dashboard" in services else ""
 
-    def _is_registered(self) -> bool:
-        names = self._client.run_on_scheduler(lambda dask_scheduler: list(dask_scheduler.worker_plugins))
-        return NAME in names
+    def _forget_killed_batches(self) -> None:
+        plugins, clients = self._client.run_on_scheduler(
+            lambda dask_scheduler: (list(dask_scheduler.worker_plugins), list(dask_scheduler.clients)))
+        for name in plugins:
+            if name.startswith(NAME) and name.removeprefix(NAME) not in clients:
+                self._client.unregister_worker_plugin(name)
+
+    @contextlib.contextmanager
+    def _asking(self) -> Iterator[None]:
+        """A scheduler that goes away meanwhile is said, whatever Dask makes of it."""
+        try:
+            yield
+        except (OSError, TimeoutError, distributed.TimeoutError) as fault:
+            raise self._away(str(fault) or "the connection is lost") from None
+        except Exception:
+            if self._client.status == "running":
+                raise
+            raise self._away("the connection is lost") from None
 
     def _check_file(self, path: str) -> None:
         try:
             with open(path, encoding="utf-8") as stream:
                 json.load(stream)["address"]
         except (OSError, ValueError, KeyError, TypeError) as fault:
-            raise self._away(f"'{path}' is not a scheduler file ({fault})") from None
+            file = pathlib.Path(path)
+            near = did_you_mean(file.name, os.listdir(file.parent)) if file.parent.is_dir() and not file.exists() else ""
+            raise self._away(f"'{path}' is not a scheduler file ({fault}){near}") from None
 
     def _away(self, why: str) -> BatchError:
         return BatchError([findings.SCHEDULER_AWAY(self.address, why)], NOT_DONE)
@@ -84,8 +104,9 @@ class DaskCrew:
         # Names of Dask's own, as a key that was lost is asked for again.
         names = [f"{unit.kind}-{unit.key[:16]}-{self._sent + i}" for i, (unit, _) in enumerate(units)]
         self._sent += len(units)
-        futures = self._client.map(dask_plant.work, [unit.to_dict() for unit, _ in units], [fit for _, fit in units], key=names, pure=False,
-                                   batch_size=1000)
+        with self._asking():
+            futures = self._client.map(dask_plant.work, [self._name] * len(units), [unit.to_dict() for unit, _ in units],
+                                       [fit for _, fit in units], key=names, pure=False, batch_size=1000)
         for (unit, _), future in zip(units, futures):
             self._futures[unit.key] = future
             future.add_done_callback(lambda done, key=unit.key: self._answers.put((key, done)))
@@ -125,14 +146,14 @@ class DaskCrew:
         """Raises BatchError where the scheduler is gone, or no worker is there for a while."""
         if self._client.status != "running":
             raise self._away("the connection is lost")
-        try:
+        with self._asking():
             workers = self._client.nthreads()
-        except (OSError, TimeoutError, distributed.CommClosedError) as fault:
-            raise self._away(str(fault)) from None
         if workers:
             self._alone_since = None
             return
-        self._alone_since = self._alone_since or time.monotonic()
+        if self._alone_since is None:
+            self._alone_since = time.monotonic()
+            print(f"waits for workers of {self.address}, {self.patience:.0f} s at the most", file=sys.stderr)
         self.warnings_so_far()
         patience = min(self.patience, 2) if self._refused else self.patience
         if time.monotonic() - self._alone_since > patience:
@@ -152,7 +173,9 @@ class DaskCrew:
 
     def close(self) -> None:
         self._futures.clear()
-        try:
+        with contextlib.suppress(Exception):
+            # Where it is gone, nothing is left to close.
+            if self._client.status == "running":
+                self._client.sync(self._client._unregister_worker_plugin, name=self._name, callback_timeout=5)
+        with contextlib.suppress(Exception):
             self._client.close(timeout=5)
-        except Exception:  # It is gone, so nothing is left to close.
-            pass

@@ -14,16 +14,16 @@ from typing import Any, Mapping
 
 import distributed
 
-NAME = "fourpost-batch"
+NAME = "fourpost-batch-"
+"""Of plug-ins; that of the client of a batch follows, so that several batches use a scheduler."""
 
 
 class Plant(distributed.WorkerPlugin):
     """A workplace on a Dask worker. One that can do none of the units says why, and leaves."""
 
-    name = NAME
-
-    def __init__(self, sources: Mapping[str, str], of: tuple[str, str, str, str], files: Mapping[str, bytes] | None):
-        self.sources, self.of, self.files = sources, of, files
+    def __init__(self, name: str, sources: Mapping[str, str], of: tuple[str, str, str, str],
+                 files: Mapping[str, bytes] | None):
+        self.name, self.sources, self.of, self.files = name, sources, of, files
 
     def setup(self, worker: Any) -> None:
         self.worker = worker
@@ -51,7 +51,9 @@ class Plant(distributed.WorkerPlugin):
             self.leave((trouble.kind, trouble.text, worker.address))
 
     def teardown(self, worker: Any) -> None:
-        self.place.close()
+        if hasattr(self, "place"):
+            self.place.stop()
+            self.place.close()
 
     def run(self, unit: dict[str, Any], fit: dict[str, Any] | None) -> tuple[Any, ...]:
         """("found" or "paid", bytes or nothing), or the three parts of a Trouble."""
@@ -77,16 +79,17 @@ class Plant(distributed.WorkerPlugin):
         if self.worker.status.name != "running":
             self.worker.loop.call_later(0.1, self.say_why)
             return
-        self.worker.log_event(NAME, list(self.trouble or ()))
+        self.worker.log_event(self.name, list(self.trouble or ()))
         self.worker.loop.call_later(0.5, self.close)
 
     def close(self) -> None:
         self.worker.loop.add_callback(self.worker.close, nanny=True, executor_wait=False)
 
 
-def work(unit: dict[str, Any], fit: dict[str, Any] | None) -> tuple[Any, ...]:
+def work(name: str, unit: dict[str, Any], fit: dict[str, Any] | None) -> tuple[Any, ...]:
+    """By the plug-in of this name."""
     for _ in range(600):
-        plant: Any = distributed.get_worker().plugins.get("fourpost-batch")
+        plant: Any = distributed.get_worker().plugins.get(name)
         if plant is not None and hasattr(plant, "place"):
             return tuple(plant.run(unit, fit))
         # A worker that joins may get a unit before it is set up.

@@ -44,10 +44,10 @@ class Batch:
 
 
 def content(folder):
-    """Results and tables of a batch, without what says who computed them."""
+    """Results and tables of a batch, without what says who computed them, and who was killed while writing."""
     folder = pathlib.Path(folder)
     return {str(path.relative_to(folder)): path.read_bytes()
-            for path in sorted([*folder.glob("units/*/*"), *folder.glob("*.csv")])}
+            for path in sorted([*folder.glob("units/*/[!.]*"), *folder.glob("*.csv")])}
 
 
 @pytest.fixture

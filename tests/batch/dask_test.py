@@ -10,7 +10,7 @@ import pytest
 from cluster import Cluster
 from conftest import SOURCE, STUB, content
 
-pytest.importorskip("distributed")
+distributed = pytest.importorskip("distributed")
 PLAN = "comparisons:\n  - {study: a.yaml, seeds: 1..%d}\n"
 
 
@@ -64,6 +64,9 @@ def test_no_worker_and_no_scheduler_are_said(batch, cluster):
     cluster.worker(FOURPOST_PROGRAM=str(other))
     said = run(batch, cluster, code=75).stderr
     assert "[batch-no-workers]" in said and "is refused: it has 0.2.0" in said
+    assert f"waits for workers of {cluster.file}" in said
+    misspelt = batch.run("--output=out", f"--on=dask:{cluster.folder}/schduler.json", code=75).stderr
+    assert ", did you mean 'scheduler.json'?" in misspelt and "[batch-scheduler-away]" in misspelt
     # A scheduler that goes away in the middle.
     cluster.worker(FOURPOST_PROGRAM=str(STUB))
     batch_run = subprocess.Popen([sys.executable, "-m", "fourpost_batch", "--program", STUB, "--plan", "plan.yaml",
@@ -75,12 +78,56 @@ def test_no_worker_and_no_scheduler_are_said(batch, cluster):
         time.sleep(0.02)
     cluster.scheduler.kill()
     said = batch_run.communicate(timeout=100)[1]
-    assert batch_run.returncode == 75 and "[batch-scheduler-away]" in said, said
+    assert batch_run.returncode == 75 and "[batch-scheduler-away]" in said and "Traceback" not in said, said
     assert "[batch-scheduler-away]" in run(batch, cluster, code=75).stderr
     # What is there is paid no more.
     there = len(list(batch.folder.glob("out/units/*/[!.]*.json")))
     assert there >= 4 and batch.json("--output=out", "--workers=8")["work"] == {
         "found": there, "paid": 50 - there, "tried_again": 0}
+
+
+def start(batch, cluster, plan, output):
+    """A batch that goes on meanwhile."""
+    return subprocess.Popen([sys.executable, "-m", "fourpost_batch", "--program", STUB, f"--plan={plan}",
+                             f"--output={output}", f"--on=dask:{cluster.file}"], cwd=batch.folder, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            env={**os.environ, "PYTHONPATH": str(SOURCE / "python")})
+
+
+def plugins(cluster):
+    """Names of those of batches at the scheduler."""
+    with distributed.Client(scheduler_file=str(cluster.file), set_as_default=False) as client:
+        names = client.run_on_scheduler(lambda dask_scheduler: list(dask_scheduler.worker_plugins))
+    return [name for name in names if "fourpost" in name]
+
+
+def test_batches_share_a_scheduler(batch, cluster):
+    """One that ends, or is killed, leaves nothing that another would meet."""
+    batch.study("a.yaml", "delay 0.1")
+    batch.study("b.yaml", "delay 0.1")
+    for name in "ab":
+        batch.write(f"{name}.plan", f"comparisons: [{{study: {name}.yaml, seeds: 1..20}}]")
+    cluster.worker(FOURPOST_PROGRAM=str(STUB))
+    killed = start(batch, cluster, "a.plan", "killed")
+    wait_for(batch, "killed", 2)
+    killed.kill()
+    killed.communicate()
+    assert len(plugins(cluster)) == 1
+    both = [start(batch, cluster, f"{name}.plan", name) for name in "ab"]
+    for one in both:
+        said = one.communicate(timeout=100)[1]
+        assert one.returncode == 0, said
+    assert plugins(cluster) == []
+    for name in "ab":
+        batch.write("plan.yaml", (batch.folder / f"{name}.plan").read_text())
+        batch.run("--output=serial_" + name, "--workers=4")
+        assert content(batch.folder / name) == content(batch.folder / f"serial_{name}")
+
+
+def wait_for(batch, output, count):
+    end = time.monotonic() + 60
+    while len(list(batch.folder.glob(f"{output}/units/*/*.json"))) < count and time.monotonic() < end:
+        time.sleep(0.02)
 
 
 def test_a_worker_with_a_full_disk_leaves(batch, cluster):
