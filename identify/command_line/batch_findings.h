@@ -31,6 +31,11 @@ inline const Finding kBatchKeyMissing{"batch-key-missing", Severity::kError, "'{
 inline const Finding kBatchValueWrong{"batch-value-wrong", Severity::kError, "'{}' cannot be {}", "{}"};
 inline const Finding kBatchFileMissing{"batch-file-missing", Severity::kError, "no file '{}'{}",
                                        "paths are relative to the plan's folder"};
+inline const Finding kBatchFileRefused{"batch-file-refused", Severity::kError, "'{}' cannot be read: {}",
+                                       "see what `fourpost info` says of it"};
+inline const Finding kBatchRecordingUnlike{
+    "batch-recording-unlike", Severity::kError, "the study of '{}' and its vehicle name none of the channels of '{}'",
+    "give a recording in the layout of those that are fitted; this one has {}"};
 inline const Finding kBatchFileChanges{"batch-file-changes", Severity::kError,
                                        "'{}' changes while the batch reads it", "run the batch again"};
 inline const Finding kBatchNameTwice{"batch-name-twice", Severity::kError, "two units have the name '{}'",

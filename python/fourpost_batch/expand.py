@@ -6,12 +6,10 @@ import fnmatch
 import json
 import os
 import pathlib
-import re
-import subprocess
 from dataclasses import dataclass
 from typing import Iterable, Sequence
 
-from . import findings
+from . import findings, look
 from .errors import BatchError, Finding, did_you_mean
 from .findings import Kind
 from .plan import Entry, Plan
@@ -53,45 +51,45 @@ class _Expansion:
         self.sources: dict[str, pathlib.Path] = {}
         self.hashes: dict[pathlib.Path, str] = {}
         self.inputs: dict[pathlib.Path, list[pathlib.Path]] = {}
+        """Files by the study that reads them."""
+        self.channels: dict[pathlib.Path, list[str]] = {}
+        """By recordings of predictions."""
 
     def run(self) -> Expanded:
-        self._look_at_studies()
+        self._look()
         for section, add in (("fits", self._fit), ("predictions", self._prediction), ("choices", self._choice),
                              ("comparisons", self._comparison), ("coverage", self._coverage)):
             for entry in self.plan.of(section):
                 add(entry)
         if self.findings:
-            raise BatchError(self.findings)
+            raise BatchError(dict.fromkeys(self.findings))
         return Expanded(list(self.units.values()), self.sources)
 
     def _refuse(self, entry: Entry, kind: Kind, *words: object) -> None:
         self.findings.append(kind(*words, file=self.plan.file, line=entry.line))
 
-    # What studies read.
+    # What the program says of files, of each once and of several at a time.
 
-    def _look_at_studies(self) -> None:
-        """Of each study once, as the program says."""
-        studies = dict.fromkeys(study for entry in self.plan.entries if "study" in entry.values
-                                for study in entry["study"])
+    def _look(self) -> None:
+        studies = self._files("study")
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            for study, found in zip(studies, pool.map(self._read_by, studies)):
-                self.inputs[study] = found
+            looks = [pool.submit(look.inputs_of, self.program, study) for study in studies]
+            recordings = self._files("recordings")
+            heard = [pool.submit(look.channels_of, self.program, recording) for recording in recordings]
+            for study, seen in zip(studies, looks):
+                self.inputs[study], faults = seen.result()
+                self.findings += faults
+            for recording, told in zip(recordings, heard):
+                self.channels[recording], faults = told.result()
+                self.findings += faults
+            fits = [(entry, study) for entry in self.plan.of("fits") for study in entry["study"]]
+            settings = [pool.submit(look.refused_settings, self.program, self.inputs[study], entry.get("set") or {})
+                        for entry, study in fits]
+            for (entry, _), refused in zip(fits, settings):
+                self.findings += [finding._replace(file=str(self.plan.file), line=entry.line) for finding in refused.result()]
 
-    def _read_by(self, study: pathlib.Path) -> list[pathlib.Path]:
-        try:
-            is_problem = re.search(r"^problem\s*:", study.read_text("utf-8", "replace"), re.M)
-        except OSError as fault:
-            self.findings.append(findings.FILE_MISSING(study, f" ({fault.strerror})"))
-            return []
-        if is_problem:
-            return [study]
-        outcome = subprocess.run([self.program.path, "info", study, "--json"], capture_output=True, text=True)
-        if outcome.returncode != 0:
-            self.findings += findings.read(outcome.stderr, "error") or [findings.PLAN_MALFORMED(outcome.stderr, file=study)]
-            return []
-        names = json.loads(outcome.stdout)["files"][0]["inputs"]
-        files = [pathlib.Path(os.path.abspath(name)) for name in names]
-        return list(dict.fromkeys(files + [mesh for file in files for mesh in _meshes(file)]))
+    def _files(self, key: str) -> list[pathlib.Path]:
+        return list(dict.fromkeys(file for entry in self.plan.entries for file in entry.get(key) or []))
 
     # Sections.
 
@@ -137,7 +135,7 @@ class _Expansion:
             self._of_runs(entry, name, "choice", ["choose", FIT_FOLDER, *options],
                           [(given, settings)])
             for vehicle in entry.get("vehicle") or []:
-                files = _relative([vehicle, *_meshes(vehicle)], vehicle.parent) + [(given, settings)]
+                files = _relative([vehicle, *look.meshes_of(vehicle)], vehicle.parent) + [(given, settings)]
                 self._add(entry, f"{vehicle.stem}/{name}", "choice",
                           ["choose", vehicle.name, *options], files)
 
@@ -177,12 +175,21 @@ class _Expansion:
                 self._refuse(entry, findings.RUN_UNKNOWN, pattern, did_you_mean(pattern, self.fits),
                              ", ".join(names) or "'fits', which are none")
             found.update(chosen)
+        self._compare_channels(entry, list(found.values()), given[0][1])
         for unit, files in found.values():
             self._add(entry, f"{unit.name}/{name}", kind, command, files + given, after=unit.key)
         for folder in entry.get("run") or []:
             if self._is_of_this_version(entry, folder):
                 files = [(f"{FIT_FOLDER}/{file}", folder / file) for file in RUN_FILES if (folder / file).exists()]
                 self._add(entry, f"{folder.name}/{name}", kind, command, files + given)
+
+    def _compare_channels(self, entry: Entry, fits: list[tuple[Unit, Files]], recording: pathlib.Path) -> None:
+        """Of a recording to predict, with what the studies of the fits name."""
+        channels = self.channels.get(recording)
+        # Seeds of a study share its files.
+        for unit, files in {id(files): (unit, files) for unit, files in reversed(fits)}.values() if channels else []:
+            if not look.knows_one_of([path for _, path in files], channels or []):
+                self._refuse(entry, findings.RECORDING_UNLIKE, unit.name, recording.name, ", ".join(channels or []))
 
     def _is_of_this_version(self, entry: Entry, folder: pathlib.Path) -> bool:
         try:
@@ -224,12 +231,3 @@ def _named(entry: Entry, name: str) -> str:
 
 def _relative(paths: Iterable[pathlib.Path], folder: pathlib.Path) -> Files:
     return [(os.path.relpath(path, folder), path) for path in paths]
-
-
-def _meshes(vehicle: pathlib.Path) -> list[pathlib.Path]:
-    """What a vehicle file refers to; what is missing the program reports."""
-    if vehicle.suffix != ".urdf":
-        return []
-    names = re.findall(r"""\bfilename\s*=\s*["']([^"']+)["']""", vehicle.read_text("utf-8", "replace"))
-    paths = (vehicle.parent / re.sub(r"^(package|file)://", "", name) for name in names)
-    return [pathlib.Path(os.path.abspath(path)) for path in paths if path.is_file()]

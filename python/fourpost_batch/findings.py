@@ -42,6 +42,9 @@ KEY_UNKNOWN = _error("batch-key-unknown", "unknown key '{}'{}", "the keys here a
 KEY_MISSING = _error("batch-key-missing", "'{}' is missing", "{}")
 VALUE_WRONG = _error("batch-value-wrong", "'{}' cannot be {}", "{}")
 FILE_MISSING = _error("batch-file-missing", "no file '{}'{}", "paths are relative to the plan's folder")
+FILE_REFUSED = _error("batch-file-refused", "'{}' cannot be read: {}", "see what `fourpost info` says of it")
+RECORDING_UNLIKE = _error("batch-recording-unlike", "the study of '{}' and its vehicle name none of the channels of '{}'",
+                          "give a recording in the layout of those that are fitted; this one has {}")
 FILE_CHANGES = _error("batch-file-changes", "'{}' changes while the batch reads it", "run the batch again")
 NAME_TWICE = _error("batch-name-twice", "two units have the name '{}'", "give entries names of their own by 'name'")
 RUN_UNKNOWN = _error("batch-run-unknown", "no fit of this plan has the name '{}'{}",

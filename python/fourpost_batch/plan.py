@@ -14,6 +14,7 @@ from .errors import USAGE, BatchError, Finding, did_you_mean
 from .findings import Kind
 
 DEFAULT_KEEP: tuple[str, ...] = ("result.json", "vehicle.urdf", "study.yaml", "parameters.csv")
+ENGINES = ("auto", "reduced", "full")
 MOST = 1_000_000
 """Numbers in one range."""
 
@@ -129,6 +130,12 @@ class _Reader:
             found += (pathlib.Path(os.path.abspath(one)) for one in paths)
         return found
 
+    def engine(self, node: Any, key: str) -> str | None:
+        text = self.text(node, key)
+        if text is not None and text not in ENGINES:
+            self.wrong(node, key, f"write one of {', '.join(ENGINES)}")
+        return text
+
     def settings(self, node: Any, key: str) -> dict[str, str] | None:
         """Values of parameters: {k: 20 kN/m}."""
         if node.id != "mapping":
@@ -149,7 +156,7 @@ _RUN = {"of": R.texts, "run": R.folders, "name": R.name}
 KEYS: dict[str, dict[str, Callable[[_Reader, Any, str], Any]]] = {
     "fits": {"study": R.files, "name": R.name, "seeds": R.numbers, "set": R.settings, "grow": R.flag,
              "suggest": R.flag, "accept_implausible": R.flag, "accept_unidentified": R.flag, "profile": R.texts},
-    "predictions": {**_RUN, "recordings": R.files, "mode": R.text, "engine": R.text},
+    "predictions": {**_RUN, "recordings": R.files, "mode": R.text, "engine": R.engine},
     "choices": {**_RUN, "vehicle": R.files, "settings": R.files, "checks": R.flag},
     "comparisons": {"study": R.files, "name": R.name, "methods": R.texts, "runs": R.whole, "seeds": R.numbers,
                     "evaluations": R.whole, "near": R.text},

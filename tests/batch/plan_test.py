@@ -125,6 +125,7 @@ def test_faults_of_a_plan_are_found_at_once(batch):
     ("fits:\n- {study: a.yaml, name: ../../a}", "batch-value-wrong", 2),
     ("comparisons:\n- {study: a.yaml, runs: 0.5}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml}\n- {study: a.yaml}", "batch-name-twice", 3),
+    ("predictions:\n- {run: run, recordings: a.yaml, engine: ful}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml}\npredictions:\n- {of: b, recordings: a.yaml}", "batch-run-unknown", 4),
     ("predictions:\n- {run: run, recordings: a.yaml}", "batch-run-of-other-version", 2),
     ("predictions:\n- {run: empty, recordings: a.yaml}", "batch-file-missing", 2),
@@ -168,6 +169,23 @@ def test_recordings_are_read_before_anything_is_paid(starter, before, after, id)
     outcome = starter.run("--output=out", program=FOURPOST, code=3)
     assert re.search(r"stepped_sine\.csv(:\d+)?: error: .*\[[a-z0-9-]+\]$", outcome.stderr, re.M), outcome.stderr
     assert not list((starter.folder / "out").glob("units/*/*"))
+
+
+def test_all_names_are_read_before_anything_is_paid(starter):
+    """Of parameters, of channels, and recordings of predictions, at once."""
+    recording = (starter.folder / "car/stepped_sine.csv").read_text()
+    starter.write("other.csv", "time,p9,q9\ns,m,N\n0,1,2\n1,2,3\n2,3,1\n")
+    starter.write("broken.csv", recording.replace("1.18668", "x"))
+    starter.write("plan.yaml", "fits:\n- {study: car/study.yaml, set: {kk: 20 kN/m}}\n"
+                               "- {study: car/study.yaml, name: b, set: {k: '20'}}\n"
+                               "predictions:\n- {of: '*', recordings: other.csv}\n- {of: b, recordings: broken.csv}\n")
+    said = starter.run("--output=out", program=FOURPOST, code=3).stderr.splitlines()
+    places = {line.partition(": error: ")[0].rpartition("/")[2]: line.partition(": error: ")[2] for line in said}
+    assert list(places) == ["broken.csv:2", "plan.yaml:2", "plan.yaml:3", "plan.yaml:5"], said
+    assert places["plan.yaml:2"].startswith("the vehicle has no parameter 'kk'; it has m_body, ")
+    assert "needs a unit" in places["plan.yaml:3"]
+    assert "none of the channels of 'other.csv': " in places["plan.yaml:5"] and "this one has p9, q9" in places["plan.yaml:5"]
+    assert len(said) == 5 and not (starter.folder / "out").exists()
 
 
 def test_findings_have_the_words_of_the_program():
