@@ -215,10 +215,17 @@ def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -
 
 
 def read_run(folder: Path) -> Run:
-    """The folder of a fit, also of one that was interrupted. Raises InputError."""
-    if not pathlib.Path(folder, "result.json").exists():
+    """The folder of a fit, also of one that was interrupted; a warning where it is of another major version of fourpost.
+    Raises InputError."""
+    file = pathlib.Path(folder, "result.json")
+    if not file.exists():
         raise refuse("result-missing", f"there is no result.json in {os.fspath(folder)}: give the folder of a fit")
-    return Run(folder)
+    run = Run(folder)
+    of_run, own = str(run.result.get("versions", {}).get("fourpost", "an unknown version")), _core.version()
+    if of_run.partition(".")[0] != own.partition(".")[0]:
+        text = f"perhaps not understood, for it is of fourpost {of_run}, and this is {own}: fit again with this version"
+        _arrays.warn([Finding("result-not-understood", "warning", str(file), 0, "", text)])
+    return run
 
 
 def fit(study: Study | Path, output: Path | None = None, *, threads: int = 0, seed: int | None = None,

@@ -332,6 +332,12 @@ def test_the_example_of_python_runs(starter):
     assert outcome.stdout == "0\n", outcome.stderr
 
 
+def test_the_plan_of_how_to_runs(starter):
+    plan = re.search(r"^```yaml\n(# plan.yaml.*?)^```", (SOURCE / "docs/how_to.md").read_text(), re.S | re.M)[1]
+    starter.write("plan.yaml", plan)
+    assert starter.json("--output=out", program=FOURPOST)["counts"]["done"] == 8
+
+
 def test_workers_of_a_launcher_share_the_units(batch):
     batch.study("a.yaml", "delay 0")
     batch.write("r.csv", "")

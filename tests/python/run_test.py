@@ -1,6 +1,9 @@
 """What follows from a fit: draws, predictions, choices."""
 import io
 import json
+import re
+import shutil
+import warnings
 
 import numpy as np
 import pandas as pd
@@ -16,6 +19,30 @@ roads:
 draws: 20
 duration: 10 s
 """
+
+
+def test_a_run_of_another_major_version_is_said(run, tmp_path):
+    folder = shutil.copytree(run.folder, tmp_path / "run")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        fp.read_run(folder)
+    text = (folder / "result.json").read_text()
+    (folder / "result.json").write_text(text.replace(f'"fourpost": "{fp.__version__}"', '"fourpost": "7.1.0"'))
+    with pytest.warns(fp.InputWarning, match="of fourpost 7.1.0, and this is ") as caught:
+        fp.read_run(folder)
+    assert caught[0].filename == __file__ and caught[0].message.finding.id == "result-not-understood"
+
+
+def test_the_notebook_of_how_to_runs(tmp_path, monkeypatch):
+    text = (SOURCE / "docs/how_to.md").read_text()
+    plan, notebook = (re.search(rf"^```{language}\n(.*?)^```", text, re.S | re.M)[1] for language in ("yaml", "python"))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "plan.yaml").write_text(plan)
+    program("init", "car")
+    program("batch", "plan.yaml", "-o", "batch", "--unpack")
+    names = {}
+    exec(notebook, names)
+    assert set(names["table"]["unit"]) == {"study/seed1", "study/seed2", "study/seed3", "stiff"}
 
 
 def test_draws_are_those_of_the_program(run):
