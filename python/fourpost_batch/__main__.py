@@ -124,13 +124,15 @@ def main(words: list[str]) -> int:
     found = states(expanded.units, store)
     if is_whole:
         write_tables(found, store)
-    if options.unpack:
-        unpack(found, store)
+        if options.unpack:
+            unpack(found, store)
     if store.damaged:
         tally.warnings.append(findings.RESULT_DAMAGED(len(store.damaged)))
     line.tell_warnings(tally)
-    faults = findings_of_units(found, tally)
-    warned = warnings_of_units(found)
+    # Of several workers of a launcher the last one speaks for all; mpirun would end the others for a code of this one.
+    is_last = is_whole or bool(tally.lost)
+    faults = findings_of_units(found, tally) if is_last else []
+    warned = warnings_of_units(found) if is_last else []
     print_some(f"{of_units(names)}: {finding}" for finding, names in warned)
     print_some(faults)
     print_report(options, found, tally, warned)

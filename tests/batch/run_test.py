@@ -351,6 +351,17 @@ def test_workers_of_a_launcher_share_the_units(batch):
     assert "[batch-launcher-unknown]" in batch.run("--output=out", "--on=launcher", code=2).stderr
 
 
+def test_the_last_worker_of_a_launcher_speaks_for_all(batch):
+    """mpirun ends the others where one ends with another code than 0."""
+    batch.study("a.yaml", "code 3")
+    batch.study("b.yaml", "warn 2")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}, {study: b.yaml}]")
+    first = batch.run("--output=out", "--on=launcher", FOURPOST_BATCH_SHARE="0/2")
+    assert first.stderr == ""
+    last = batch.run("--output=out", "--on=launcher", code=1, FOURPOST_BATCH_SHARE="1/2").stderr
+    assert "[stub-warns]" in last and "[batch-unit-failed]" in last
+
+
 def test_a_misspelt_place_is_asked_about(batch):
     batch.study("a.yaml", "delay 0")
     batch.write("plan.yaml", PLAN % 1)
