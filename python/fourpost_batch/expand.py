@@ -102,8 +102,7 @@ class _Expansion:
         group = entry.get("name") if len(entry["study"]) > 1 else None
         if group in self.fits and group not in self.groups:
             self._refuse(entry, findings.NAME_TWICE, group)
-        for study in entry["study"]:
-            name = self._name(entry, study)
+        for study, name in _names(entry, entry["study"]):
             files = _relative(self.inputs[study], study.parent)
             if name in self.fits:
                 self._refuse(entry, findings.NAME_TWICE, name)
@@ -122,48 +121,42 @@ class _Expansion:
 
     def _prediction(self, entry: Entry) -> None:
         options = [f"--{key}={entry[key]}" for key in ("mode", "engine") if entry.get(key)]
-        for recording in entry["recordings"]:
+        for recording, label in _labels(entry["recordings"]):
             given = f"given/{recording.name}"
             command = ["predict", FIT_FOLDER, "--recording", given, "--json", *options]
-            self._of_runs(entry, _named(entry, f"predict/{recording.stem}"), "prediction", command, [(given, recording)])
+            self._of_runs(entry, _named(entry, f"predict/{label}"), "prediction", command, [(given, recording)])
 
     def _choice(self, entry: Entry) -> None:
-        for settings in entry["settings"]:
+        for settings, label in _labels(entry["settings"]):
             given = f"given/{settings.name}"
             options = ["--settings", given, "--threads=1", "--json"] + ["--no-checks"] * (entry.get("checks") is False)
-            name = _named(entry, f"choose/{settings.stem}")
+            name = _named(entry, f"choose/{label}")
             self._of_runs(entry, name, "choice", ["choose", FIT_FOLDER, *options],
                           [(given, settings)])
-            for vehicle in entry.get("vehicle") or []:
+            for vehicle, car in _labels(entry.get("vehicle") or []):
                 files = _relative([vehicle, *look.meshes_of(vehicle)], vehicle.parent) + [(given, settings)]
-                self._add(entry, f"{vehicle.stem}/{name}", "choice",
+                self._add(entry, f"{car}/{name}", "choice",
                           ["choose", vehicle.name, *options], files)
 
     def _comparison(self, entry: Entry) -> None:
         options = [f"--methods={','.join(entry['methods'])}"] if entry.get("methods") else []
         options += [f"--{key}={entry[key]}" for key in ("runs", "evaluations", "near") if entry.get(key)]
-        for study in entry["study"]:
+        for study, label in _names(entry, entry["study"]):
             for seed in entry.get("seeds") or [1]:
-                name = f"compare/{self._name(entry, study)}/seed{seed}"
+                name = f"compare/{label}/seed{seed}"
                 self._add(entry, name, "comparison",
                           ["compare", study.name, "--threads=1", "--json", f"--seed={seed}", *options],
                           _relative(self.inputs[study], study.parent))
 
     def _coverage(self, entry: Entry) -> None:
-        for script in entry["script"]:
+        for script, label in _names(entry, entry["script"]):
             files = _relative([script, *(entry.get("files") or [])], script.parent)
             for number in entry["numbers"]:
                 words = [word.replace("{number}", str(number)) for word in entry["arguments"]]
-                self._add(entry, f"{self._name(entry, script)}/{number}", "coverage", [script.name, *words], files,
+                self._add(entry, f"{label}/{number}", "coverage", [script.name, *words], files,
                           first="{python}")
 
     # Units.
-
-    @staticmethod
-    def _name(entry: Entry, file: pathlib.Path) -> str:
-        several = len(entry.get("study") or entry.get("script")) > 1
-        name: str | None = entry.get("name")
-        return file.stem if name is None else f"{name}/{file.stem}" if several else name
 
     def _of_runs(self, entry: Entry, name: str, kind: str, command: list[str], given: Files) -> None:
         """A unit for each fit of the plan that 'of' names, and each folder that 'run' names."""
@@ -222,6 +215,22 @@ class _Expansion:
                 self._refuse(entry, findings.FILE_MISSING, path, f" ({fault.strerror})")
                 self.hashes[path] = ""
         return self.hashes[path]
+
+
+def _labels(files: list[pathlib.Path]) -> list[tuple[pathlib.Path, str]]:
+    """Each with its name without suffix, and with its folders below those that all have where two names are the same."""
+    if len({file.stem for file in files}) == len(files):
+        return [(file, file.stem) for file in files]
+    common = os.path.commonpath([file.parent for file in files])
+    return [(file, os.path.relpath(file.with_suffix(""), common)) for file in files]
+
+
+def _names(entry: Entry, files: list[pathlib.Path]) -> list[tuple[pathlib.Path, str]]:
+    """Each with the name of its units."""
+    name: str | None = entry.get("name")
+    if name is not None and len(files) == 1:
+        return [(files[0], name)]
+    return [(file, label if name is None else f"{name}/{label}") for file, label in _labels(files)]
 
 
 def _named(entry: Entry, name: str) -> str:

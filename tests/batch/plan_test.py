@@ -79,6 +79,14 @@ def test_an_unknown_fit_is_answered_with_the_names_there_are(batch):
     assert refused(batch, text) == [("batch-name-twice", 3)]
 
 
+def test_files_of_one_name_are_told_apart_by_their_folders(batch):
+    for car in ("a", "b/old"):
+        batch.study(f"cars/{car}/study.yaml", "delay 0")
+        batch.write(f"rig/{car}/sweep.csv", "x")
+    units = units_of(batch, "fits: [{study: 'cars/**/study.yaml'}]\npredictions: [{of: a/study, recordings: 'rig/**/*.csv'}]")
+    assert [unit.name for unit in units] == ["a/study", "b/old/study", "a/study/predict/a/sweep", "a/study/predict/b/old/sweep"]
+
+
 def test_a_key_is_that_of_the_inputs(batch):
     batch.study("a.yaml", "delay 0")
     unit, = units_of(batch, "fits: [{study: a.yaml}]")
