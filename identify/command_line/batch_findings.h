@@ -33,11 +33,11 @@ inline const Finding kBatchFileMissing{"batch-file-missing", Severity::kError, "
                                        "paths are relative to the plan's folder"};
 inline const Finding kBatchFileRefused{"batch-file-refused", Severity::kError, "'{}' cannot be read: {}",
                                        "see what `fourpost info` says of it"};
-inline const Finding kBatchRecordingUnlike{
-    "batch-recording-unlike", Severity::kError, "the study of '{}' and its vehicle name none of the channels of '{}'",
-    "give a recording in the layout of those that are fitted; this one has {}"};
-inline const Finding kBatchFileChanges{"batch-file-changes", Severity::kError,
-                                       "'{}' changes while the batch reads it", "run the batch again"};
+inline const Finding kBatchRecordingUnlike{"batch-recording-unlike", Severity::kError,
+                                           "the study of '{}' and its vehicle name none of the channels of '{}'",
+                                           "give a recording in the layout of those that are fitted; this one has {}"};
+inline const Finding kBatchFileChanges{"batch-file-changes", Severity::kError, "'{}' changes while the batch reads it",
+                                       "run the batch again"};
 inline const Finding kBatchNameTwice{"batch-name-twice", Severity::kError, "two units have the name '{}'",
                                      "give entries names of their own by 'name'"};
 inline const Finding kBatchRunUnknown{"batch-run-unknown", Severity::kError, "no fit of this plan has the name '{}'{}",
@@ -49,8 +49,7 @@ inline const Finding kBatchEmpty{"batch-empty", Severity::kError, "the plan has 
 
 // Where units run.
 
-inline const Finding kBatchPlaceUnknown{"batch-place-unknown", Severity::kError,
-                                        "'{}' is not a place to run units{}",
+inline const Finding kBatchPlaceUnknown{"batch-place-unknown", Severity::kError, "'{}' is not a place to run units{}",
                                         "write one of local, dask://HOST:PORT, dask:FILE, slurm, launcher"};
 inline const Finding kBatchSchedulerAway{"batch-scheduler-away", Severity::kError,
                                          "the scheduler {} does not answer: {}",
