@@ -83,9 +83,9 @@ class _Expansion:
                 self.channels[recording], faults = told.result()
                 self.findings += faults
             fits = [(entry, study) for entry in self.plan.of("fits") for study in entry["study"]]
-            settings = [pool.submit(look.refused_settings, self.program, self.inputs[study], entry.get("set") or {})
-                        for entry, study in fits]
-            for (entry, _), refused in zip(fits, settings):
+            names = [pool.submit(look.refused_parameters, self.program, self.inputs[study], entry.get("set") or {},
+                                 entry.get("profile") or []) for entry, study in fits]
+            for (entry, _), refused in zip(fits, names):
                 self.findings += [finding._replace(file=str(self.plan.file), line=entry.line) for finding in refused.result()]
 
     def _files(self, key: str) -> list[pathlib.Path]:

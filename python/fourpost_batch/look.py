@@ -9,7 +9,7 @@ import subprocess
 from typing import Any, Mapping, Sequence
 
 from . import findings
-from .errors import Finding
+from .errors import Finding, did_you_mean
 from .program import Program
 
 
@@ -47,12 +47,29 @@ def knows_one_of(inputs: Sequence[pathlib.Path], channels: Sequence[str]) -> boo
     return any(re.search(rf"(?<!\w){re.escape(channel)}(?!\w)", texts) for channel in channels)
 
 
-def refused_settings(program: Program, inputs: Sequence[pathlib.Path], values: Mapping[str, str]) -> list[Finding]:
-    """Of parameters: names that the vehicle lacks, and values without their unit."""
-    words = [f"--set={name}={value}" for name, value in values.items()]
-    vehicles = [file for file in inputs if file.suffix == ".urdf"] if words else []
-    said = [_say(program, "check", vehicle, *words).stderr for vehicle in vehicles]
-    return [finding for text in said for finding in findings.read(text, "error") if finding.file == "--set"]
+def refused_parameters(program: Program, inputs: Sequence[pathlib.Path], values: Mapping[str, str],
+                       profiles: Sequence[str]) -> list[Finding]:
+    """Names of `set` and `profile` that the vehicle of a study lacks, and values without their unit."""
+    vehicles = [file for file in inputs if file.suffix == ".urdf"]
+    return [finding for vehicle in vehicles for finding in
+            _refused_settings(program, vehicle, values) + _refused_profiles(program, vehicle, profiles)]
+
+
+def _refused_settings(program: Program, vehicle: pathlib.Path, values: Mapping[str, str]) -> list[Finding]:
+    if not values:
+        return []
+    said = _say(program, "check", vehicle, *(f"--set={name}={value}" for name, value in values.items())).stderr
+    return [finding for finding in findings.read(said, "error") if finding.file == "--set"]
+
+
+def _refused_profiles(program: Program, vehicle: pathlib.Path, names: Sequence[str]) -> list[Finding]:
+    said = _say(program, "params", vehicle, "--json") if names else None
+    if said is None or said.returncode != 0:
+        return []
+    known = [one["name"] for one in json.loads(said.stdout)["parameters"]]
+    remedy = f"write parameters of the vehicle, which has {', '.join(known)}, or all"
+    return [findings.VALUE_WRONG("profile", f"'{name}'{did_you_mean(name, known)}", remedy)
+            for name in names if name not in [*known, "all"]]
 
 
 def _info(program: Program, file: pathlib.Path) -> tuple[dict[str, Any] | None, list[Finding]]:

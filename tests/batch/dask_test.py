@@ -1,5 +1,6 @@
 """Batches by a Dask scheduler and its worker processes, which are killed, refused, full or blind."""
 import os
+import pathlib
 import resource
 import signal
 import subprocess
@@ -7,7 +8,7 @@ import sys
 import time
 
 import pytest
-from cluster import Cluster
+from cluster import Cluster, command_of
 from conftest import SOURCE, STUB, content
 
 distributed = pytest.importorskip("distributed")
@@ -122,6 +123,30 @@ def test_batches_share_a_scheduler(batch, cluster):
         batch.write("plan.yaml", (batch.folder / f"{name}.plan").read_text())
         batch.run("--output=serial_" + name, "--workers=4")
         assert content(batch.folder / name) == content(batch.folder / f"serial_{name}")
+
+
+def test_ctrl_c_ends_units_that_run(batch, cluster):
+    batch.study("a.yaml", "delay 600")
+    batch.write("plan.yaml", PLAN % 3)
+    cluster.worker(FOURPOST_PROGRAM=str(STUB), FOURPOST_BATCH_JOURNAL=str(batch.folder / "journal"))
+    one = start(batch, cluster, "plan.yaml", "out")
+    end = time.monotonic() + 60
+    while not (batch.folder / "journal").exists() and time.monotonic() < end:
+        time.sleep(0.05)
+    nanny = cluster.processes[1]
+    worker, = cluster.working(nanny)
+    one.send_signal(signal.SIGINT)
+    assert "interrupted" in one.communicate(timeout=60)[1] and one.returncode == 130
+    end = time.monotonic() + 20
+    while units_of(worker) and time.monotonic() < end:
+        time.sleep(0.05)
+    assert not units_of(worker) and cluster.working(nanny) == [worker]
+    assert "missing" in (batch.folder / "out/results.csv").read_text()
+
+
+def units_of(worker):
+    children = [path.read_text().split() for path in pathlib.Path(f"/proc/{worker}/task").glob("*/children")]
+    return [pid for pids in children for pid in pids if "compare" in command_of(int(pid))]
 
 
 def wait_for(batch, output, count):

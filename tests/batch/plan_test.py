@@ -185,9 +185,11 @@ def test_all_names_are_read_before_anything_is_paid(starter):
     starter.write("other.csv", "time,p9,q9\ns,m,N\n0,1,2\n1,2,3\n2,3,1\n")
     starter.write("broken.csv", recording.replace("1.18668", "x"))
     starter.write("plan.yaml", "fits:\n- {study: car/study.yaml, set: {kk: 20 kN/m}}\n"
-                               "- {study: car/study.yaml, name: b, set: {k: '20'}}\n"
+                               "- {study: car/study.yaml, name: b, set: {k: '20'}, profile: [k, c_bum]}\n"
                                "predictions:\n- {of: '*', recordings: other.csv}\n- {of: b, recordings: broken.csv}\n")
     said = starter.run("--output=out", program=FOURPOST, code=3).stderr.splitlines()
+    profile = said.pop(3)
+    assert "plan.yaml:3: error: 'profile' cannot be 'c_bum', did you mean 'c_bump'? write parameters of " in profile
     places = {line.partition(": error: ")[0].rpartition("/")[2]: line.partition(": error: ")[2] for line in said}
     assert list(places) == ["broken.csv:2", "plan.yaml:2", "plan.yaml:3", "plan.yaml:5"], said
     assert places["plan.yaml:2"].startswith("the vehicle has no parameter 'kk'; it has m_body, ")
