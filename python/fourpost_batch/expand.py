@@ -66,7 +66,7 @@ class _Expansion:
         return Expanded(list(self.units.values()), self.sources)
 
     def _refuse(self, entry: Entry, kind: Kind, *words: object) -> None:
-        self.findings.append(kind(*words, file=self.plan.file, line=entry.line))
+        self.findings.append(kind(*words, file=self.plan.shown, line=entry.line))
 
     # What the program says of files, of each once and of several at a time.
 
@@ -86,7 +86,7 @@ class _Expansion:
             names = [pool.submit(look.refused_parameters, self.program, self.inputs[study], entry.get("set") or {},
                                  entry.get("profile") or []) for entry, study in fits]
             for (entry, _), refused in zip(fits, names):
-                self.findings += [finding._replace(file=str(self.plan.file), line=entry.line) for finding in refused.result()]
+                self.findings += [finding._replace(file=self.plan.shown, line=entry.line) for finding in refused.result()]
 
     def _files(self, key: str) -> list[pathlib.Path]:
         return list(dict.fromkeys(file for entry in self.plan.entries for file in entry.get(key) or []))

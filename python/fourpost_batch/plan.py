@@ -15,6 +15,7 @@ from .findings import Kind
 
 DEFAULT_KEEP: tuple[str, ...] = ("result.json", "vehicle.urdf", "study.yaml", "parameters.csv")
 ENGINES = ("auto", "reduced", "full")
+MODES = ("heave", "pitch", "roll", "warp")
 MOST = 1_000_000
 """Numbers in one range."""
 
@@ -39,6 +40,8 @@ class Plan:
     """What a file asks for; paths in it are absolute."""
 
     file: pathlib.Path
+    shown: str
+    """The file as it was named."""
     entries: list[Entry]
     keep: tuple[str, ...] = DEFAULT_KEEP
     findings: list[Finding] = field(default_factory=list)
@@ -130,6 +133,12 @@ class _Reader:
             found += (pathlib.Path(os.path.abspath(one)) for one in paths)
         return found
 
+    def mode(self, node: Any, key: str) -> str | None:
+        text = self.text(node, key)
+        if text is not None and text not in MODES and "=" not in text:
+            self.wrong(node, key, f"write one of {', '.join(MODES)}, or the share of each post, such as FL=1,FR=-1")
+        return text
+
     def engine(self, node: Any, key: str) -> str | None:
         text = self.text(node, key)
         if text is not None and text not in ENGINES:
@@ -156,7 +165,7 @@ _RUN = {"of": R.texts, "run": R.folders, "name": R.name}
 KEYS: dict[str, dict[str, Callable[[_Reader, Any, str], Any]]] = {
     "fits": {"study": R.files, "name": R.name, "seeds": R.numbers, "set": R.settings, "grow": R.flag,
              "suggest": R.flag, "accept_implausible": R.flag, "accept_unidentified": R.flag, "profile": R.texts},
-    "predictions": {**_RUN, "recordings": R.files, "mode": R.text, "engine": R.engine},
+    "predictions": {**_RUN, "recordings": R.files, "mode": R.mode, "engine": R.engine},
     "choices": {**_RUN, "vehicle": R.files, "settings": R.files, "checks": R.flag},
     "comparisons": {"study": R.files, "name": R.name, "methods": R.texts, "runs": R.whole, "seeds": R.numbers,
                     "evaluations": R.whole, "near": R.text},
@@ -227,4 +236,4 @@ def read_plan(file: str | os.PathLike[str]) -> Plan:
         reader.findings.append(findings.EMPTY(file=file, line=1))
     if reader.findings:
         raise BatchError(reader.findings)
-    return Plan(reader.file, entries, keep)
+    return Plan(reader.file, str(file), entries, keep)

@@ -40,7 +40,7 @@ def print_report(options: argparse.Namespace, found: list[State], tally: Tally, 
         for one in found:
             print(f"{one.unit.name:{wide}}  {one.unit.kind:10}  {one.state:7}  {one.warnings or ''}".rstrip())
     kinds = collections.Counter(one.unit.kind for one in found)
-    print(f"{len(found)} units ({', '.join(f'{kind}: {count}' for kind, count in kinds.items())}): " +
+    print(f"{len(found)} unit{'s' * (len(found) != 1)} ({', '.join(f'{kind}: {count}' for kind, count in kinds.items())}): " +
           ", ".join(f"{count} {state}" for state, count in counts.items() if count))
     if not options.list:
         print(f"computed now {tally.paid}, there before {tally.found}, tried again {tally.tried_again}")

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
 import errno
 import fnmatch
 import os
@@ -25,8 +26,8 @@ from .unit import FIT_FOLDER, Unit, result_text
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 FINDING = re.compile(r"(^|: )(error|warning): .*\[[a-z0-9-]+\]$")
 SCRATCH = "fourpost-batch-"
-# Of these the program ended by its inputs: results like others. All else is tried again.
-RESULT_CODES = (0, 1, 2, 3, 4)
+# Of these the program ended by its inputs, or by a defect that it would meet again: results like others. All else is tried again.
+RESULT_CODES = (0, 1, 2, 3, 4, 70)
 
 
 def _environment() -> dict[str, str]:
@@ -49,6 +50,11 @@ def _purge(parent: pathlib.Path) -> None:
             shutil.rmtree(old, ignore_errors=True)
 
 
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)
+
+
 class Workplace:
     """What one worker has: its program, its scratch folder, and the store or the files that were shipped."""
 
@@ -61,6 +67,7 @@ class Workplace:
         self._scratch: pathlib.Path | None = None
         self._lock = threading.Lock()
         self._running: set[subprocess.Popen[bytes]] = set()
+        self._is_stopped = False
         self._killer = [path, "--pdeathsig", "KILL", "--"] if (path := shutil.which("setpriv")) else []
 
     def check(self) -> None:
@@ -103,18 +110,18 @@ class Workplace:
         return "paid", None
 
     def stop(self) -> None:
-        """Ends the units that are running; they are lost."""
+        """Ends the units that are running, and those that a thread begins from now on; they are lost."""
+        self._is_stopped = True
         for process in list(self._running):
-            try:
-                os.killpg(process.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+            _kill(process)
 
     def _outcome(self, words: list[str], place: pathlib.Path) -> tuple[int, bytes, bytes]:
         """Exit code, what was printed, messages."""
         with subprocess.Popen(self._killer + words, cwd=place, env=_environment(), stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True) as process:
             self._running.add(process)
+            if self._is_stopped:
+                _kill(process)
             try:
                 printed, said = process.communicate()
             finally:
@@ -208,7 +215,8 @@ class Workplace:
 
     def _judge(self, unit: Unit, code: int, messages: list[str]) -> None:
         said = [line.strip() for line in messages if line.strip()]
-        last = " / ".join(said[-3:])[-500:] if said else "it said nothing"
+        errors = [line for line in said if "error: " in line]
+        last = " / ".join((errors or said)[-3:])[-500:] or "it said nothing"
         if code < 0:
             raise Trouble("lost", f"its process was ended by {signal.Signals(-code).name}", self.worker)
         if code == 5:

@@ -134,6 +134,7 @@ def test_faults_of_a_plan_are_found_at_once(batch):
     ("comparisons:\n- {study: a.yaml, runs: 0.5}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml}\n- {study: a.yaml}", "batch-name-twice", 3),
     ("predictions:\n- {run: run, recordings: a.yaml, engine: ful}", "batch-value-wrong", 2),
+    ("predictions:\n- {run: run, recordings: a.yaml, mode: heav}", "batch-value-wrong", 2),
     ("fits:\n- {study: a.yaml}\npredictions:\n- {of: b, recordings: a.yaml}", "batch-run-unknown", 4),
     ("predictions:\n- {run: run, recordings: a.yaml}", "batch-run-of-other-version", 2),
     ("predictions:\n- {run: empty, recordings: a.yaml}", "batch-file-missing", 2),

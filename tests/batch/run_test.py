@@ -15,6 +15,7 @@ import pytest
 from conftest import FOURPOST, SOURCE, STUB, content
 
 from fourpost_batch import Program, Store, Unit, expand, read_plan, run
+from fourpost_batch.errors import Trouble
 from fourpost_batch.launcher import run_launched
 from fourpost_batch.slurm import run_share
 from fourpost_batch.unit import result_text
@@ -133,6 +134,17 @@ def states_in(batch):
         return sorted(row["state"] for row in csv.DictReader(table))
 
 
+def test_a_unit_that_begins_as_others_are_stopped_is_ended(batch):
+    batch.study("a.yaml", "delay 5")
+    unit, = expand(read_plan(batch.write("plan.yaml", PLAN % 1)), Program(STUB)).units
+    store = Store.make(batch.folder / "out")
+    store.add_file(batch.folder / "a.yaml", unit.inputs[0][1])
+    workplace = Workplace(str(store.folder), store.id, unit.build, str(STUB))
+    workplace.stop()
+    with pytest.raises(Trouble, match="SIGKILL"):
+        workplace.run(unit)
+
+
 def test_a_list_writes_tables_of_what_is_done(batch):
     batch.study("a.yaml", "delay 0")
     batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 1..2}]")
@@ -169,6 +181,14 @@ def test_a_unit_that_fails_by_its_inputs_is_a_result(batch):
         assert answer["work"]["paid"] == paid
         assert "study.yaml:2: error: it was to fail" in outcome.stderr
         assert "[batch-unit-failed]" in outcome.stderr and "[batch-unit-blocked]" in outcome.stderr
+
+
+def test_a_defect_of_the_program_is_not_met_again(batch):
+    batch.study("a.yaml", "code 70")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]")
+    for paid in (1, 0):
+        answer = batch.json("--output=out", code=1)
+        assert answer["counts"]["failed"] == 1 and answer["work"] == {"found": 1 - paid, "paid": paid, "tried_again": 0}
 
 
 def test_a_reason_is_said_once(batch):
