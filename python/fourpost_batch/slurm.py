@@ -80,7 +80,11 @@ class Slurm:
 
     def __init__(self, workplace: Workplace, options: str, tasks: int):
         self.workplace, self.store = workplace, workplace.store
-        self.options, self.tasks = shlex.split(options), tasks or 100
+        self.tasks = tasks or 100
+        try:
+            self.options = shlex.split(options)
+        except ValueError as fault:
+            raise BatchError([findings.SLURM_REFUSES(f"{fault} in '{options}'")], USAGE) from None
         self.folder = self.store.folder / "slurm"
         if shutil.which("sbatch") is None:
             raise BatchError([findings.LACKS_PACKAGE("sbatch", "PATH", "apt install slurm-client")], USAGE)

@@ -97,9 +97,9 @@ def _documents(found: list[State], kind: str) -> Iterator[tuple[Unit, dict[str, 
     """Results in JSON."""
     for one in found:
         result = one.result if one.unit.kind == kind and one.state == "done" else None
-        if result:
-            text = result["files"].get("result.json") if kind == "fit" else result["printed"]
-            yield one.unit, json.loads(text) if text else {}
+        text = (result["files"].get("result.json") if kind == "fit" else result["printed"]) if result else None
+        if text:
+            yield one.unit, json.loads(text)
 
 
 def _parameters(found: list[State]) -> str:

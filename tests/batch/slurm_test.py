@@ -64,3 +64,5 @@ def test_a_refusal_has_the_words_of_sbatch(batch):
     (batch.folder / "bin/sbatch").write_text(f"#!/bin/sh\necho '{refusal}' >&2\nexit 1\n")
     said = batch.run("--output=out", "--on=slurm", code=2, **environment).stderr
     assert f"Slurm refuses the array: {refusal}: correct " in said and "[batch-slurm-refuses]" in said
+    said = batch.run("--output=out", "--on=slurm", "--slurm=--time '4", code=2, **environment).stderr
+    assert "No closing quotation in '--time '4': correct " in said
