@@ -146,6 +146,7 @@ class DaskCrew:
         """Raises BatchError where the scheduler is gone, or no worker is there for a while."""
         if self._client.status != "running":
             raise self._away("the connection is lost")
+        self.warnings_so_far()
         with self._asking():
             workers = self._client.nthreads()
         if workers:
@@ -154,7 +155,6 @@ class DaskCrew:
         if self._alone_since is None:
             self._alone_since = time.monotonic()
             print(f"waits for workers of {self.address}, {self.patience:.0f} s at the most", file=sys.stderr)
-        self.warnings_so_far()
         patience = min(self.patience, 2) if self._refused else self.patience
         if time.monotonic() - self._alone_since > patience:
             raise BatchError([*self._refused[:3], findings.NO_WORKERS(self.address)], NOT_DONE)
@@ -165,6 +165,8 @@ class DaskCrew:
             if isinstance(event, (list, tuple)) and len(event) == 3 and event[0] in LEAVES:
                 trouble = Trouble(*event)
                 self._refused.append(finding_of(trouble, self.build))
+                with self._asking():
+                    self._client.run_on_scheduler(lambda name, dask_scheduler: dask_scheduler.close_worker(name), trouble.worker)
         return self._refused
 
     def warnings(self) -> list[Finding]:

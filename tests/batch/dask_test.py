@@ -114,6 +114,13 @@ def test_batches_share_a_scheduler(batch, cluster):
     killed.kill()
     killed.communicate()
     assert len(plugins(cluster)) == 1
+    # Nobody sends this one away.
+    other = batch.write("other_program", STUB.read_text() + "# Another build.\n")
+    other.chmod(0o755)
+    cluster.worker(FOURPOST_PROGRAM=str(other))
+    batch.write("plan.yaml", "comparisons: [{study: a.yaml}]")
+    batch.run("--output=other", f"--on=dask:{cluster.file}", program=other)
+    cluster.worker(FOURPOST_PROGRAM=str(STUB))
     both = [start(batch, cluster, f"{name}.plan", name) for name in "ab"]
     for one in both:
         said = one.communicate(timeout=100)[1]
