@@ -351,11 +351,31 @@ class RunningFit {
     if (there && loss.Cost(*there) < loss.Cost(*here)) best = std::move(moved);
   }
 
+  /// Noise of inputs moves an optimum by its power over that of the motion, and raises the cost by as much of itself: a
+  /// tenth would be noise of a third of the motion. What a model lacks may look like more, and where the first order
+  /// does not hold the cost rises by more than it says.
+  bool IsByNoise(const RefineResult& best, const Eigen::VectorXd& step, const RefineResult& moved) const {
+    constexpr double kMost = 0.1;
+    constexpr double kBeyond = 2;
+    constexpr double kRounding = 0.01;
+    const Eigen::Index data = best.jacobian.rows() - result_.prior_count;
+    Eigen::VectorXd change = best.jacobian * step;
+    change.head(data).array() *= options_.refine.loss.Weights(best.residuals.head(data)).array().sqrt();
+    const double rise = change.squaredNorm();
+    return rise <= kMost * best.cost && moved.cost - best.cost <= kBeyond * rise + kRounding * best.cost;
+  }
+
   /// Moves the best point by the bias that noise of the recorded inputs makes; the gradient by that noise.
   Eigen::MatrixXd AllowForInputNoise(const std::vector<Eigen::Index>& fixed, RefineResult& best) {
     const std::optional<InputNoise> noise =
         InputNoiseAt(objective_, best, options_.refine, fixed, options_.threads, stop_, result_.evaluations_beside);
-    if (!noise || !MoveBy(archive_, noise->step, options_.refine.loss, best)) return {};
+    RefineResult moved = best;
+    if (!noise || !MoveBy(archive_, noise->step, options_.refine.loss, moved)) return {};
+    if (!IsByNoise(best, noise->step, moved)) {
+      result_.is_input_noise_implausible = true;
+      return {};
+    }
+    best = std::move(moved);
     result_.moved_by_input_noise = noise->step;
     return noise->gradient;
   }
@@ -365,7 +385,15 @@ class RunningFit {
                                                  const Eigen::MatrixXd& input_noise, RefineResult& best) {
     std::optional<Calibrated> found =
         CalibratedAt(objective_, archive_.lattice(), best, options_.refine.loss, states, input_noise);
-    if (found && !MoveBy(archive_, found->step, options_.refine.loss, best)) return std::nullopt;
+    if (!found) return std::nullopt;
+    RefineResult moved = best;
+    if (!MoveBy(archive_, found->step, options_.refine.loss, moved)) return std::nullopt;
+    // Both together explain the data better than the parameters alone, where the first order holds.
+    constexpr double kRounding = 0.01;
+    Eigen::VectorXd corrected = moved.residuals;
+    corrected.head(found->changes.rows()) += found->changes * found->mean;
+    if (options_.refine.loss.Cost(corrected) > (1 + kRounding) * best.cost) return std::nullopt;
+    best = std::move(moved);
     return found;
   }
 

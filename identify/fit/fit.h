@@ -132,6 +132,8 @@ struct FitResult {
   /// By how much FitVariables were moved from the optimum because recorded inputs have noise, see InputNoise; empty:
   /// not at all.
   Eigen::VectorXd moved_by_input_noise;
+  /// What looks like noise of the inputs would move them further than noise can, so that nothing was moved.
+  bool is_input_noise_implausible = false;
   SearchResult search;
   /// Every setting of the search and its value, in the words of a study.
   std::vector<std::pair<std::string, std::string>> search_settings;

@@ -64,6 +64,11 @@ inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::
 inline const Finding kCalibrationBeyond{
     "calibration-beyond", Severity::kWarning, "the data ask for calibrations beyond what is stated: {}",
     "check first whether the model lacks something, then these instruments, and correct their 'scale' or 'delay'"};
+inline const Finding kPostNoiseImplausible{
+    "post-noise-implausible", Severity::kWarning,
+    "part of the residuals looks like noise of the recorded posts, but is too large for it: no bias by noise of the "
+    "posts was corrected",
+    "add what the vehicle lacks, see `fourpost suggest`, or state the 'noise' of the posts"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

@@ -102,6 +102,8 @@ class Grower {
   std::optional<fs::path> Grow(const fs::path& study) {
     constexpr std::size_t kMostTries = 3;
     const GrowthStep before = LastKept();
+    // What the stated errors explain, no addition has to.
+    if (before.misfit <= 1) return std::nullopt;
     const RunSuggestions run = SuggestForRun(
         {.run = request_.output / before.folder / "fit", .study = study, .threads = request_.threads}, hooks_.work);
     const Suggestions& suggestions = run.suggestions;

@@ -36,7 +36,7 @@ struct GrownFit {
 };
 
 /// Fits the study, asks what could be added, adds the best of it, fits again, and goes on while the extended BIC falls
-/// and validation recordings are predicted no worse. Writes each step into `steps/N` of the output, growth.json, and
+/// and validation recordings are predicted no worse, until the misfit is 1. Writes each step into `steps/N` of the output, growth.json, and
 /// the last fit that was kept into the output itself. Throws as FitStudy() does.
 GrownFit GrowFit(const FitRequest& request, const FitRunHooks& hooks = {});
 

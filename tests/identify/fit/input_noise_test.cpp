@@ -35,23 +35,47 @@ ResidualBlock Gain(const Eigen::VectorXd& input, const Eigen::VectorXd& output) 
               }};
 }
 
-// Least squares give p / (1 + s), s the noise's share of the input's squares.
-TEST(InputNoise, TakesBackWhatItMovedTheOptimumBy) {
-  Eigen::VectorXd input(kSamples);
-  for (Eigen::Index k = 0; k < kSamples; ++k) input[k] = std::numbers::sqrt2 * std::sin(0.37 * static_cast<double>(k));
+FitResult FitOf(const ResidualBlock& block) {
   const VehicleObjective toy = ToyObjective(1, kSamples, 1e-15, {});
-  const VehicleObjective objective(toy.vehicle(), toy.free(), {Gain(input + Noise(1), kTrue * input)});
+  const VehicleObjective objective(toy.vehicle(), toy.free(), {block});
   FitOptions options;
   options.stop.max_evaluations = 10;
   options.starts = 0;
   options.threads = 1;
-  const FitResult fit = Fit(objective, options);
+  return Fit(objective, options);
+}
+
+Eigen::VectorXd Sine() {
+  Eigen::VectorXd input(kSamples);
+  for (Eigen::Index k = 0; k < kSamples; ++k) input[k] = std::numbers::sqrt2 * std::sin(0.37 * static_cast<double>(k));
+  return input;
+}
+
+// Least squares give p / (1 + s), s the noise's share of the input's squares.
+TEST(InputNoise, TakesBackWhatItMovedTheOptimumBy) {
+  const Eigen::VectorXd input = Sine();
+  const FitResult fit = FitOf(Gain(input + Noise(1), kTrue * input));
   ASSERT_EQ(fit.end, FitEnd::kConverged) << fit.message;
   const double plain = fit.parameters[0].value * std::exp(-fit.moved_by_input_noise[0]);
   // Both scatter by the noise over the root of the samples, 0.15 %.
   EXPECT_NEAR(plain, kTrue / (1 + kNoise * kNoise), 0.01);
   EXPECT_NEAR(fit.parameters[0].value, kTrue, 0.015);
   EXPECT_GT(fit.evaluations_beside, 0);
+  EXPECT_FALSE(fit.is_input_noise_implausible);
+}
+
+// As where what the model lacks was taken for noise: of five times the size of the motion.
+TEST(InputNoise, DoesNotMoveTheOptimumByMoreThanNoiseCan) {
+  const Eigen::VectorXd input = Sine();
+  ResidualBlock block = Gain(input + Noise(1), kTrue * input);
+  block.with_input_noise = [=](const std::vector<double>&) {
+    return std::vector{Gain(input - 25 * Noise(99), kTrue * input), Gain(input + 25 * Noise(99), kTrue * input)};
+  };
+  const FitResult fit = FitOf(block);
+  ASSERT_EQ(fit.end, FitEnd::kConverged) << fit.message;
+  EXPECT_NEAR(fit.parameters[0].value, kTrue / (1 + kNoise * kNoise), 0.01);
+  EXPECT_EQ(fit.moved_by_input_noise.size(), 0);
+  EXPECT_TRUE(fit.is_input_noise_implausible);
 }
 
 }  // namespace
