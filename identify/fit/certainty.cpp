@@ -259,17 +259,20 @@ void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd 
   by_missing = std::move(moved);
   // Second moment about one end of what is uniform between both.
   const Eigen::VectorXd uniform = MovedByMissing() / std::sqrt(3.0);
-  const Eigen::MatrixXd before = WithDeviations(model_error.covariance, model_sd(judged));
+  // What all parts of the data have in common is now known.
+  const Eigen::MatrixXd whole = WithDeviations(model_error.covariance, model_sd(judged));
+  const Eigen::VectorXd before = model_sd(judged) / kErrorInCommon;
   Eigen::VectorXd after(std::ssize(judged));
   for (Index row = 0; row < after.size(); ++row) {
     const Index j = judged[static_cast<std::size_t>(row)];
-    after[row] = std::min(model_sd[j], left.is_significant ? left.reach[row] / covariance.reach_95 : 0);
+    const double reach = left.is_significant ? left.reach[row] / covariance.reach_95 / kErrorInCommon : 0;
+    after[row] = std::min(before[row], reach);
     // With even odds the additions are the physics, or look like it.
-    model_sd[j] = std::sqrt((model_sd[j] * model_sd[j] + after[row] * after[row]) / 2 + uniform[j] * uniform[j]);
+    model_sd[j] = std::sqrt((before[row] * before[row] + after[row] * after[row]) / 2 + uniform[j] * uniform[j]);
     total_sd[j] = std::hypot(noise_sd[j], held_sd[j], model_sd[j]);
   }
-  total_covariance +=
-      (WithDeviations(left.covariance, after) - before) / 2 + uniform(judged) * uniform(judged).transpose();
+  total_covariance += (WithDeviations(model_error.covariance, before) + WithDeviations(left.covariance, after)) / 2 -
+                      whole + uniform(judged) * uniform(judged).transpose();
 }
 
 std::string Certainty::LimitedBy(Index parameter) const {

@@ -134,7 +134,8 @@ std::string_view FitEndName(FitEnd end) {
 
 double FitResult::Misfit() const {
   if (!covariance) return std::numeric_limits<double>::quiet_NaN();
-  return std::sqrt(data_squares / static_cast<double>(residual_count - prior_count - covariance->rank));
+  const auto freedom = static_cast<double>(residual_count - prior_count - covariance->rank);
+  return std::sqrt(data_squares / (freedom + input_noise_squares));
 }
 
 std::optional<ParameterSpread> FitResult::Spread() const {
@@ -377,6 +378,7 @@ class RunningFit {
     }
     best = std::move(moved);
     result_.moved_by_input_noise = noise->step;
+    result_.input_noise_squares = noise->squares;
     return noise->gradient;
   }
 

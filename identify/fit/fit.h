@@ -132,6 +132,8 @@ struct FitResult {
   /// By how much FitVariables were moved from the optimum because recorded inputs have noise, see InputNoise; empty:
   /// not at all.
   Eigen::VectorXd moved_by_input_noise;
+  /// What that noise adds to `data_squares`; 0 where none is known.
+  double input_noise_squares = 0;
   /// What looks like noise of the inputs would move them further than noise can, so that nothing was moved.
   bool is_input_noise_implausible = false;
   SearchResult search;
@@ -144,10 +146,13 @@ struct FitResult {
   std::vector<RefinedStart> refined;
 
   /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what
-  /// noise and the stated model error explain. NaN without a covariance.
+  /// noise, that of recorded inputs as well, and the stated model error explain. NaN without a covariance.
   double Misfit() const;
   /// Nothing without a certainty.
   std::optional<ParameterSpread> Spread() const;
+
+  /// Whether most of the residuals are noise of recorded inputs, in which little else can be seen.
+  bool IsMostlyInputNoise() const { return input_noise_squares > 0.5 * data_squares; }
 
   /// Of a cost that weighs by other than noise, which has none; see LoadedStudy::HasDeviations.
   void DropDeviations();

@@ -30,10 +30,17 @@ NoisyBlocks WithNoise(const VehicleObjective& objective, const Eigen::VectorXd& 
   return has_noise ? noisy : NoisyBlocks();
 }
 
-/// Of these blocks, by residuals, N x n: derivatives times weighted residuals. Throws BatchStopped.
-std::optional<Eigen::MatrixXd> GradientOf(std::vector<ResidualBlock> blocks, const VehicleObjective& objective,
-                                          const Eigen::VectorXd& values, const RefineOptions& refine, int threads,
-                                          const std::function<bool()>& stop, std::int64_t& evaluated) {
+struct Linearised {
+  /// Of the data.
+  Eigen::VectorXd residuals;
+  /// By residuals, N x n: derivatives times weighted residuals.
+  Eigen::MatrixXd gradient;
+};
+
+/// Of these blocks. Throws BatchStopped.
+std::optional<Linearised> LinearisedOf(std::vector<ResidualBlock> blocks, const VehicleObjective& objective,
+                                       const Eigen::VectorXd& values, const RefineOptions& refine, int threads,
+                                       const std::function<bool()>& stop, std::int64_t& evaluated) {
   const VehicleObjective noisy(objective.vehicle(), objective.free(), std::move(blocks));
   Archive archive(noisy.MakeProblem(), threads);
   archive.StopBatches(stop);
@@ -47,7 +54,8 @@ std::optional<Eigen::MatrixXd> GradientOf(std::vector<ResidualBlock> blocks, con
   if (!jacobian) return std::nullopt;
   const Index data = here.residuals.size() - objective.prior_count();
   const Eigen::VectorXd residuals = here.residuals.head(data);
-  return residuals.cwiseProduct(refine.loss.Weights(residuals)).asDiagonal() * jacobian->topRows(data);
+  return Linearised{residuals,
+                    residuals.cwiseProduct(refine.loss.Weights(residuals)).asDiagonal() * jacobian->topRows(data)};
 }
 
 }  // namespace
@@ -61,18 +69,22 @@ std::optional<InputNoise> InputNoiseAt(const VehicleObjective& objective, const 
   const Eigen::VectorXd weights = refine.loss.Weights(residuals);
   InputNoise noise = {.gradient = -(residuals.cwiseProduct(weights).asDiagonal() * best.jacobian.topRows(data)),
                       .step = {}};
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(data);
   try {
     for (std::vector<ResidualBlock>& blocks : WithNoise(objective, best.values)) {
       if (blocks.empty()) return std::nullopt;
-      const auto with = GradientOf(std::move(blocks), objective, best.values, refine, threads, stop, evaluated);
+      const auto with = LinearisedOf(std::move(blocks), objective, best.values, refine, threads, stop, evaluated);
       if (!with) return std::nullopt;
-      noise.gradient += 0.5 * *with;
+      noise.gradient += 0.5 * with->gradient;
+      change = 0.5 * with->residuals - change;
     }
   } catch (const BatchStopped&) {
     return std::nullopt;
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
+  // Half the difference of both, in which all that the noise did not change cancels.
+  noise.squares = change.squaredNorm();
   noise.step = FirstOrderStep(best, refine.loss, data, held, -noise.gradient.colwise().sum().transpose());
   return noise;
 }

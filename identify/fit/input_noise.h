@@ -20,6 +20,8 @@ struct InputNoise {
   Eigen::MatrixXd gradient;
   /// n: the step that takes it from the optimum; zero for those that stay.
   Eigen::VectorXd step;
+  /// Of the data: what it adds to the sum of squared residuals.
+  double squares = 0;
 };
 
 /// Nothing where no input is known to have noise, an evaluation fails, or the user stops it. `held`: places of

@@ -210,7 +210,8 @@ std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missin
   if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
   std::string text =
-      "Residuals are " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain" +
+      "Residuals are " + Rounded(fit.Misfit(), 2) + " times what noise" +
+      (fit.IsMostlyInputNoise() ? ", most of it of the recorded posts," : "") + " and the stated model error explain" +
       (fit.certainty && !fit.certainty->calibrations.empty() ? ", calibrated" : "") + "; about 1 is expected.\n" +
       (fit.Misfit() < kSmallMisfit
            ? "Standard deviations follow from what the study states: state smaller ones, such as "

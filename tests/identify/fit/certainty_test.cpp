@@ -62,6 +62,21 @@ TEST(Certainty, CountsWhatHasNoRangeAsExact) {
   EXPECT_EQ(fit.certainty->LimitedBy(0), "noise");
 }
 
+// A fifth of the model error stands for what all parts of the data have in common, which is then known; what is left
+// contradicts itself no more.
+TEST(Certainty, WhatIsMissingTakesThePlaceOfErrorsInCommon) {
+  Certainty certainty;
+  certainty.covariance.reach_95 = 2;
+  certainty.judged = {0};
+  certainty.noise_sd = certainty.held_sd = Eigen::VectorXd::Zero(1);
+  certainty.model_sd = certainty.total_sd = Eigen::VectorXd::Constant(1, kErrorInCommon);
+  certainty.model_error.covariance = certainty.total_covariance = Eigen::MatrixXd::Constant(1, 1, 1.44);
+  const ModelErrorEstimate left = {.reach = Eigen::VectorXd::Zero(1), .covariance = Eigen::MatrixXd::Zero(1, 1)};
+  certainty.AllowForMissing({"friction"}, Eigen::MatrixXd::Zero(1, 1), left);
+  EXPECT_NEAR(certainty.model_sd[0], std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(certainty.total_covariance(0, 0), 0.5, 1e-12);
+}
+
 // p1 and p2 are held; the model breaks wherever p2 is not 1.
 TEST(Certainty, LeavesOutOnlyWhatCannotBeEvaluated) {
   const VehicleObjective all = ToyObjective(3, kCount, 1e-15, [](const std::vector<double>& p) {
