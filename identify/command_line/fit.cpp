@@ -29,16 +29,16 @@ int CodeOf(FitEnd end) {
 }
 
 /// The path of a fit that grew.
-std::string GrowthText(const std::vector<GrowthStep>& steps) {
+std::string GrowthText(const GrownFit& grown) {
   TextTable table({"step", "added", "misfit", "change of BIC", "validation error, %", "kept"});
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const GrowthStep& step = steps[i];
+  for (std::size_t i = 0; i < grown.steps.size(); ++i) {
+    const GrowthStep& step = grown.steps[i];
     table.Add({std::to_string(i), step.added.empty() ? "nothing" : step.added, Rounded(step.misfit, 3),
                i == 0 ? "" : Rounded(step.criterion, 4),
                std::isfinite(step.validation_percent) ? Rounded(step.validation_percent, 3) : "",
                step.is_kept ? "yes" : "no: " + step.reason});
   }
-  return table.Format() + '\n';
+  return table.Format() + "Growth ended: " + grown.end + ".\n\n";
 }
 
 }  // namespace
@@ -49,8 +49,9 @@ int Run(const FitCommand& command) {
                           .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
                           .begin = CatchInterrupts,
                           .fit = [](const FitOptions& options) { return ShownFit(options); }};
-  const GrownFit grown =
-      command.grow ? GrowFit(command, hooks) : GrownFit{.steps = {}, .fit = FitStudy(command, hooks)};
+  const GrownFit grown = command.grow
+                             ? GrowFit(command, hooks)
+                             : GrownFit{.steps = {}, .fit = FitStudy(command, hooks), .folder = command.output};
   const FitRun& run = grown.fit;
   const FitResult& fit = run.fit;
   if (!run.is_written) {
@@ -60,8 +61,8 @@ int Run(const FitCommand& command) {
   }
   progress.End();
   if (command.json) Print(run.json);
-  else PrintText((command.grow ? GrowthText(grown.steps) : "") + run.text);
-  std::fprintf(stderr, "results: %s; open %s\n", command.output.c_str(), (command.output / "report.html").c_str());
+  else PrintText((command.grow ? GrowthText(grown) : "") + run.text);
+  std::fprintf(stderr, "results: %s; open %s\n", grown.folder.c_str(), (grown.folder / "report.html").c_str());
   if (grown.is_interrupted) return CodeOf(FitEnd::kInterrupted);
   return fit.end == FitEnd::kConverged && !run.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }

@@ -137,6 +137,8 @@ class Experiment {
     return Geometry::kGood;
   }
   virtual void Correct() {}
+  /// As another one of the same study was by its last Correct().
+  virtual void CorrectAs(const Experiment&) {}
 
   virtual ExperimentResults Results(const Subject& subject, const FitResult& fit) const = 0;
 

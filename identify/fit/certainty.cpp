@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
+#include "identify/fit/calibration_changes.h"
+#include "identify/fit/input_noise.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/uncertainty/residual_noise.h"
@@ -25,13 +27,14 @@ class Optimum {
         jacobian_(best.jacobian.topRows(data_)),
         priors_(best.jacobian.bottomRows(objective.prior_count())),
         residuals_(best.residuals.head(data_)),
-        weights_(loss.Weights(residuals_)),
-        curvatures_(loss.Curvatures(residuals_)),
+        prior_residuals_(best.residuals.tail(objective.prior_count())),
+        weights_(loss.OfData().Weights(residuals_)),
+        curvatures_(loss.OfData().Curvatures(residuals_)),
         slopes_(FitVariables(lattice).Slopes(best.values)),
         structure_(JoinedStructure(objective.blocks())),
         // With a loss the cost is that of squares that would leave the same variance, but never less than the squares
         // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
-        cost_(std::max(residuals_.squaredNorm(), loss.EquivalentCost(residuals_))),
+        cost_(std::max(residuals_.squaredNorm(), loss.OfData().EquivalentCost(residuals_))),
         input_noise_(input_noise),
         noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_) {
     const FitVariables variables(lattice);
@@ -76,15 +79,31 @@ class Optimum {
   }
 
   /// What the data say of unknowns of unit variance that change the residuals, the judged parameters following:
-  /// -G'W r = K u + e with K = G'W (G - J D), D what the parameters give way by, e of the noise's covariance V. With
-  /// the unit variance of u
-  ///   E u = P K' V^-1 (-G'W r),  P = (1 + K' V^-1 K)^-1 its covariance.
-  Calibrated Calibrate(const Eigen::MatrixXd& changes, const std::vector<Index>& judged) const {
+  /// q = K u + e with K = (G - J D)'W (G - J D) + D'R'R D, D what the parameters give way by, e of the noise's
+  /// covariance V, and the pull
+  ///   q = -(G - J D)'W r + D' R' p + n
+  /// with the priors' derivatives R and residuals p: -G'W r at the optimum, beside which noise of inputs may have moved
+  /// the parameters; n is what that noise adds to the gradients by u and, through D, by the parameters, and its scatter
+  /// is part of V. `input_noise`: of the former, N x causes; empty: nothing. With the unit variance of u
+  ///   E u = P K' V^-1 q,  P = (1 + K' V^-1 K)^-1 its covariance.
+  Calibrated Calibrate(const Eigen::MatrixXd& changes, const Eigen::MatrixXd& input_noise,
+                       const std::vector<Index>& judged) const {
     const Eigen::MatrixXd moved = MovedBy(changes, judged);
-    const Eigen::MatrixXd left = changes - jacobian_(Eigen::all, judged) * moved;
-    const Eigen::MatrixXd curvature = changes.transpose() * weights_.asDiagonal() * left;
-    const Eigen::VectorXd pull = -changes.transpose() * weights_.cwiseProduct(residuals_);
-    Eigen::MatrixXd noise = ScoreOf(left);
+    Eigen::MatrixXd left = changes - jacobian_(Eigen::all, judged) * moved;
+    const std::vector<Index> unseen = UnseenOf(changes, left);
+    left(Eigen::all, unseen).setZero();
+    const Eigen::MatrixXd through_priors = priors_(Eigen::all, judged) * moved;
+    const Eigen::MatrixXd by_priors = through_priors.transpose() * through_priors;
+    const Eigen::MatrixXd curvature = left.transpose() * weights_.asDiagonal() * left + by_priors;
+    Eigen::VectorXd pull =
+        through_priors.transpose() * prior_residuals_ - left.transpose() * weights_.cwiseProduct(residuals_);
+    Eigen::MatrixXd noise = ScoreOf(left) + by_priors;
+    if (input_noise_.size() > 0 && input_noise.size() > 0) {
+      Eigen::MatrixXd added = input_noise - input_noise_(Eigen::all, judged) * moved;
+      added(Eigen::all, unseen).setZero();
+      pull += added.colwise().sum().transpose();
+      noise += noise_.CovarianceOfStretches(added, noise_.over_time());
+    }
     // Unknowns that nothing shows have neither curvature nor noise.
     constexpr double kFloor = 1e-12;
     noise.diagonal().array() += kFloor * std::max(1.0, noise.diagonal().maxCoeff());
@@ -100,6 +119,17 @@ class Optimum {
  private:
   Eigen::MatrixXd Hessian(const Eigen::VectorXd& weights) const {
     return jacobian_.transpose() * weights.asDiagonal() * jacobian_ + priors_.transpose() * priors_;
+  }
+
+  /// Places of causes whose changes the parameters take up but for what derivatives are off by.
+  std::vector<Index> UnseenOf(const Eigen::MatrixXd& changes, const Eigen::MatrixXd& left) const {
+    constexpr double kDerivatives = 0.01;
+    std::vector<Index> unseen;
+    const Eigen::VectorXd roots = weights_.cwiseSqrt();
+    for (Index c = 0; c < changes.cols(); ++c)
+      if (roots.cwiseProduct(left.col(c)).norm() < kDerivatives * roots.cwiseProduct(changes.col(c)).norm())
+        unseen.push_back(c);
+    return unseen;
   }
 
   /// Covariance of sum_i G_i r_i of the noise, N x causes: over time by the residuals' own correlation; else by their
@@ -131,6 +161,7 @@ class Optimum {
   Eigen::MatrixXd jacobian_;
   Eigen::MatrixXd priors_;
   Eigen::VectorXd residuals_;
+  Eigen::VectorXd prior_residuals_;
   Eigen::VectorXd weights_;
   Eigen::VectorXd curvatures_;
   Eigen::VectorXd slopes_;
@@ -358,23 +389,6 @@ HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& 
 
 namespace {
 
-/// N x calibrations; without columns where the model cannot be evaluated.
-Eigen::MatrixXd ByCalibrations(const VehicleObjective& objective, const Eigen::VectorXd& values) {
-  Eigen::MatrixXd changes =
-      Eigen::MatrixXd::Zero(objective.residual_count() - objective.prior_count(), std::ssize(objective.calibrations()));
-  Index first = 0;
-  for (const ResidualBlock& block : objective.blocks()) {
-    try {
-      if (block.by_calibrations)
-        changes.middleRows(first, block.count) = block.by_calibrations(objective.AllParameters(values));
-    } catch (const std::runtime_error&) {
-      return {};
-    }
-    first += block.count;
-  }
-  return changes;
-}
-
 std::vector<CalibrationEstimate> Estimates(const Calibrated& calibrated, const std::vector<Calibration>& calibrations) {
   std::vector<CalibrationEstimate> estimates;
   for (std::size_t i = 0; i < calibrations.size(); ++i) {
@@ -397,14 +411,14 @@ std::vector<CalibrationEstimate> Estimates(const Calibrated& calibrated, const s
 
 std::optional<Calibrated> CalibratedAt(const VehicleObjective& objective, const Lattice& lattice,
                                        const RefineResult& best, const RobustLoss& loss,
-                                       const std::vector<ParameterState>& states, const Eigen::MatrixXd& input_noise) {
+                                       const std::vector<ParameterState>& states, const InputNoise& noise) {
   if (objective.calibrations().empty()) return std::nullopt;
-  const Eigen::MatrixXd changes = ByCalibrations(objective, best.values);
+  const Eigen::MatrixXd changes = CalibrationChanges(objective, best.values);
   if (changes.cols() == 0) return std::nullopt;
   std::vector<Index> judged;
   for (std::size_t j = 0; j < states.size(); ++j)
     if (states[j] == ParameterState::kDetermined) judged.push_back(static_cast<Index>(j));
-  return Optimum(objective, lattice, best, loss, input_noise).Calibrate(changes, judged);
+  return Optimum(objective, lattice, best, loss, noise.gradient).Calibrate(changes, noise.of_calibrations, judged);
 }
 
 Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,

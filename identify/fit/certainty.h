@@ -17,6 +17,8 @@
 
 namespace fourpost {
 
+struct InputNoise;
+
 /// Parameters that a fit holds although their ranges say that they are not exactly known.
 struct HeldParameters {
   /// Places in Vehicle::parameters.
@@ -109,12 +111,20 @@ struct Calibrated {
   Eigen::MatrixXd covariance;
   /// By what the parameters give way to the mean, n in FitVariables.
   Eigen::VectorXd step;
+
+  /// By the statement alone.
+  void TakeAsStated() {
+    mean.setZero();
+    covariance.setIdentity();
+    step.setZero();
+  }
 };
 
-/// Nothing where no calibration is stated or the model cannot be evaluated. `input_noise`, `states`: see CertaintyAt().
+/// Nothing where no calibration is stated or the model cannot be evaluated. `states`: see CertaintyAt(); `noise`: empty
+/// matrices: none.
 std::optional<Calibrated> CalibratedAt(const VehicleObjective& objective, const Lattice& lattice,
                                        const RefineResult& best, const RobustLoss& loss,
-                                       const std::vector<ParameterState>& states, const Eigen::MatrixXd& input_noise);
+                                       const std::vector<ParameterState>& states, const InputNoise& noise);
 
 /// Of parameters that cannot have a deviation at this optimum. `noisy`: places of those whose derivatives are noise. A
 /// parameter at its bound that changes nothing is not held there by the bound.

@@ -17,7 +17,7 @@ Eigen::VectorXd FirstOrderStep(const RefineResult& best, const RobustLoss& loss,
   Eigen::VectorXd step = Eigen::VectorXd::Zero(best.jacobian.cols());
   if (moving.empty()) return step;
   Eigen::MatrixXd weighted = best.jacobian(Eigen::all, moving);
-  const Eigen::VectorXd weights = loss.Weights(best.residuals.head(data));
+  const Eigen::VectorXd weights = loss.OfData().Weights(best.residuals.head(data));
   weighted.topRows(data) = weights.cwiseSqrt().asDiagonal() * weighted.topRows(data);
   step(moving) = LeastNorm(weighted.transpose() * weighted).Solve(Eigen::VectorXd(-gradient(moving)));
   return step;
@@ -27,7 +27,7 @@ Eigen::VectorXd RemainingStep(const RefineResult& best, const RobustLoss& loss, 
                               const std::vector<Index>& held) {
   const Index data = best.jacobian.rows() - priors;
   Eigen::VectorXd residuals = best.residuals;
-  residuals.head(data).array() *= loss.Weights(best.residuals.head(data)).array();
+  residuals.head(data).array() *= loss.OfData().Weights(best.residuals.head(data)).array();
   return FirstOrderStep(best, loss, data, held, best.jacobian.transpose() * residuals);
 }
 
@@ -54,7 +54,7 @@ Eigen::VectorXd IntegrationStep(const VehicleObjective& objective, const RefineR
                                 const Eigen::VectorXd& finer, const RobustLoss& loss, const std::vector<Index>& held) {
   const Index data = best.jacobian.rows() - objective.prior_count();
   const Eigen::VectorXd change = (finer - best.residuals).head(data);
-  const Eigen::VectorXd weights = loss.Weights(best.residuals.head(data));
+  const Eigen::VectorXd weights = loss.OfData().Weights(best.residuals.head(data));
   return FirstOrderStep(best, loss, data, held, best.jacobian.topRows(data).transpose() * weights.cwiseProduct(change));
 }
 

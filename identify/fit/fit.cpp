@@ -242,7 +242,7 @@ class RunningFit {
   bool Search() {
     result_.search_settings = Settings(options_.search);
     if (options_.from) {
-      result_.search.candidates = {{.values = *options_.from}};
+      result_.search.candidates = {{.values = *options_.from, .cost = std::nan("")}};
       return true;
     }
     Begin("search");
@@ -296,11 +296,12 @@ class RunningFit {
           StatesAt(best, archive_.lattice(), NoisyAt(archive_, best, result_.prior_count, options_.refine, stop_));
       const std::vector<Eigen::Index> fixed = FixedOf(states);
       const Eigen::VectorXd left = RemainingStep(best, options_.refine.loss, result_.prior_count, fixed);
-      AllowForIntegration(fixed, best);
-      const Eigen::MatrixXd input_noise = AllowForInputNoise(fixed, best);
-      const std::optional<Calibrated> calibrated = AllowForCalibrations(states, input_noise, best);
+      if (!stop_()) AllowForIntegration(fixed, best);
+      const InputNoise noise = AllowForInputNoise(fixed, best);
+      std::optional<Calibrated> calibrated;
+      if (!stop_()) calibrated = AllowForCalibrations(states, noise, best);
       if (calibrated) HoldAtBounds(best.values, states);
-      AddCertainty(best, states, input_noise, calibrated);
+      AddCertainty(best, states, noise.gradient, calibrated);
       if (stop_()) EndWithoutDeviations();
       else if (result_.end != FitEnd::kConverged) JudgeEnd(left);
       if (result_.covariance) AddProfiles(best);
@@ -352,50 +353,60 @@ class RunningFit {
     if (there && loss.Cost(*there) < loss.Cost(*here)) best = std::move(moved);
   }
 
-  /// Noise of inputs moves an optimum by its power over that of the motion, and raises the cost by as much of itself: a
-  /// tenth would be noise of a third of the motion. What a model lacks may look like more, and where the first order
-  /// does not hold the cost rises by more than it says.
+  /// Rise over cost is the power of the noise over that of the motion: a tenth is noise of a third of the motion. What
+  /// a model lacks may look like more. Where the first order does not hold, the cost rises by more than it says.
   bool IsByNoise(const RefineResult& best, const Eigen::VectorXd& step, const RefineResult& moved) const {
     constexpr double kMost = 0.1;
     constexpr double kBeyond = 2;
     constexpr double kRounding = 0.01;
     const Eigen::Index data = best.jacobian.rows() - result_.prior_count;
-    Eigen::VectorXd change = best.jacobian * step;
-    change.head(data).array() *= options_.refine.loss.Weights(best.residuals.head(data)).array().sqrt();
+    Eigen::VectorXd roots = Eigen::VectorXd::Ones(best.residuals.size());
+    roots.head(data) = options_.refine.loss.OfData().Weights(best.residuals.head(data)).cwiseSqrt();
+    const Eigen::VectorXd change = roots.cwiseProduct(best.jacobian * step);
     const double rise = change.squaredNorm();
-    return rise <= kMost * best.cost && moved.cost - best.cost <= kBeyond * rise + kRounding * best.cost;
+    // The point may lie beside the optimum, where the integration's error was taken back.
+    const double slope = std::max(0.0, 2 * change.dot(roots.cwiseProduct(best.residuals)));
+    return rise <= kMost * best.cost && moved.cost - best.cost <= kBeyond * (rise + slope) + kRounding * best.cost;
   }
 
-  /// Moves the best point by the bias that noise of the recorded inputs makes; the gradient by that noise.
-  Eigen::MatrixXd AllowForInputNoise(const std::vector<Eigen::Index>& fixed, RefineResult& best) {
-    const std::optional<InputNoise> noise =
+  /// Moves the best point by the bias that noise of the recorded inputs makes, and returns that; empty: not moved.
+  InputNoise AllowForInputNoise(const std::vector<Eigen::Index>& fixed, RefineResult& best) {
+    std::optional<InputNoise> noise =
         InputNoiseAt(objective_, best, options_.refine, fixed, options_.threads, stop_, result_.evaluations_beside);
+    if (!noise) return {};
     RefineResult moved = best;
-    if (!noise || !MoveBy(archive_, noise->step, options_.refine.loss, moved)) return {};
-    if (!IsByNoise(best, noise->step, moved)) {
+    if (!MoveBy(archive_, noise->step, options_.refine.loss, moved) || !IsByNoise(best, noise->step, moved)) {
       result_.is_input_noise_implausible = true;
       return {};
     }
     best = std::move(moved);
     result_.moved_by_input_noise = noise->step;
     result_.input_noise_squares = noise->squares;
-    return noise->gradient;
+    return *std::move(noise);
+  }
+
+  /// Parameters and calibrations together explain the data better than the former alone, where the first order holds.
+  bool ExplainsMore(const Calibrated& found, const RefineResult& best, const RefineResult& moved) const {
+    constexpr double kRounding = 0.01;
+    Eigen::VectorXd corrected = moved.residuals;
+    corrected.head(found.changes.rows()) += found.changes * found.mean;
+    return options_.refine.loss.Cost(corrected) <= (1 + kRounding) * best.cost;
   }
 
   /// Moves the best point to that of calibrations that data and statement together make likeliest.
-  std::optional<Calibrated> AllowForCalibrations(const std::vector<ParameterState>& states,
-                                                 const Eigen::MatrixXd& input_noise, RefineResult& best) {
+  std::optional<Calibrated> AllowForCalibrations(const std::vector<ParameterState>& states, const InputNoise& noise,
+                                                 RefineResult& best) {
     std::optional<Calibrated> found =
-        CalibratedAt(objective_, archive_.lattice(), best, options_.refine.loss, states, input_noise);
+        CalibratedAt(objective_, archive_.lattice(), best, options_.refine.loss, states, noise);
+    result_.are_calibrations_unused = !objective_.calibrations().empty() && !found;
     if (!found) return std::nullopt;
     RefineResult moved = best;
-    if (!MoveBy(archive_, found->step, options_.refine.loss, moved)) return std::nullopt;
-    // Both together explain the data better than the parameters alone, where the first order holds.
-    constexpr double kRounding = 0.01;
-    Eigen::VectorXd corrected = moved.residuals;
-    corrected.head(found->changes.rows()) += found->changes * found->mean;
-    if (options_.refine.loss.Cost(corrected) > (1 + kRounding) * best.cost) return std::nullopt;
-    best = std::move(moved);
+    if (MoveBy(archive_, found->step, options_.refine.loss, moved) && ExplainsMore(*found, best, moved)) {
+      best = std::move(moved);
+    } else {
+      found->TakeAsStated();
+      result_.are_calibrations_unused = true;
+    }
     return found;
   }
 

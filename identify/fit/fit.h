@@ -136,6 +136,8 @@ struct FitResult {
   double input_noise_squares = 0;
   /// What looks like noise of the inputs would move them further than noise can, so that nothing was moved.
   bool is_input_noise_implausible = false;
+  /// Data could not be asked for the objective's calibrations; intervals take those as stated that can be evaluated.
+  bool are_calibrations_unused = false;
   SearchResult search;
   /// Every setting of the search and its value, in the words of a study.
   std::vector<std::pair<std::string, std::string>> search_settings;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "identify/fit/calibration_changes.h"
 #include "identify/fit/first_order_step.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
@@ -33,6 +34,8 @@ NoisyBlocks WithNoise(const VehicleObjective& objective, const Eigen::VectorXd& 
 struct Linearised {
   /// Of the data.
   Eigen::VectorXd residuals;
+  /// By calibrations as `gradient` is by parameters; without columns where that cannot be evaluated.
+  Eigen::MatrixXd of_calibrations;
   /// By residuals, N x n: derivatives times weighted residuals.
   Eigen::MatrixXd gradient;
 };
@@ -41,7 +44,7 @@ struct Linearised {
 std::optional<Linearised> LinearisedOf(std::vector<ResidualBlock> blocks, const VehicleObjective& objective,
                                        const Eigen::VectorXd& values, const RefineOptions& refine, int threads,
                                        const std::function<bool()>& stop, std::int64_t& evaluated) {
-  const VehicleObjective noisy(objective.vehicle(), objective.free(), std::move(blocks));
+  const VehicleObjective noisy(objective.vehicle(), objective.free(), std::move(blocks), objective.calibrations());
   Archive archive(noisy.MakeProblem(), threads);
   archive.StopBatches(stop);
   const Evaluation here = archive.EvaluateValues({values}).front();
@@ -54,8 +57,10 @@ std::optional<Linearised> LinearisedOf(std::vector<ResidualBlock> blocks, const 
   if (!jacobian) return std::nullopt;
   const Index data = here.residuals.size() - objective.prior_count();
   const Eigen::VectorXd residuals = here.residuals.head(data);
-  return Linearised{residuals,
-                    residuals.cwiseProduct(refine.loss.Weights(residuals)).asDiagonal() * jacobian->topRows(data)};
+  const auto weighted = residuals.cwiseProduct(refine.loss.OfData().Weights(residuals)).eval();
+  return Linearised{.residuals = residuals,
+                    .of_calibrations = weighted.asDiagonal() * CalibrationChanges(noisy, values),
+                    .gradient = weighted.asDiagonal() * jacobian->topRows(data)};
 }
 
 }  // namespace
@@ -66,8 +71,10 @@ std::optional<InputNoise> InputNoiseAt(const VehicleObjective& objective, const 
   if (stop()) return std::nullopt;
   const Index data = best.jacobian.rows() - objective.prior_count();
   const Eigen::VectorXd residuals = best.residuals.head(data);
-  const Eigen::VectorXd weights = refine.loss.Weights(residuals);
-  InputNoise noise = {.gradient = -(residuals.cwiseProduct(weights).asDiagonal() * best.jacobian.topRows(data)),
+  const Eigen::VectorXd weighted = residuals.cwiseProduct(refine.loss.OfData().Weights(residuals));
+  const Eigen::MatrixXd changes = CalibrationChanges(objective, best.values);
+  InputNoise noise = {.gradient = -(weighted.asDiagonal() * best.jacobian.topRows(data)),
+                      .of_calibrations = -(weighted.asDiagonal() * changes),
                       .step = {}};
   Eigen::VectorXd change = Eigen::VectorXd::Zero(data);
   try {
@@ -76,6 +83,9 @@ std::optional<InputNoise> InputNoiseAt(const VehicleObjective& objective, const 
       const auto with = LinearisedOf(std::move(blocks), objective, best.values, refine, threads, stop, evaluated);
       if (!with) return std::nullopt;
       noise.gradient += 0.5 * with->gradient;
+      if (with->of_calibrations.cols() == noise.of_calibrations.cols())
+        noise.of_calibrations += 0.5 * with->of_calibrations;
+      else noise.of_calibrations.resize(data, 0);
       change = 0.5 * with->residuals - change;
     }
   } catch (const BatchStopped&) {

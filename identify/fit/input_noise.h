@@ -18,6 +18,8 @@ namespace fourpost {
 struct InputNoise {
   /// Of the data, N x n in FitVariables: what the inputs' noise adds to the gradient, residual by residual.
   Eigen::MatrixXd gradient;
+  /// The same by the objective's calibrations, N x calibrations; empty without any, or where it cannot be evaluated.
+  Eigen::MatrixXd of_calibrations;
   /// n: the step that takes it from the optimum; zero for those that stay.
   Eigen::VectorXd step;
   /// Of the data: what it adds to the sum of squared residuals.

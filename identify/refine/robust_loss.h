@@ -37,6 +37,8 @@ class RobustLoss {
   double scale() const { return scale_; }
   /// Another one of the same scale.
   RobustLoss As(LossKind kind) const { return {kind, scale_, plain_}; }
+  /// The same of the residuals of data alone, without the last ones.
+  RobustLoss OfData() const { return {kind_, scale_, 0}; }
 
   /// Sum of rho.
   double Cost(const Eigen::VectorXd& residuals) const;

@@ -66,9 +66,14 @@ inline const Finding kCalibrationBeyond{
     "check first whether the model lacks something, then these instruments, and correct their 'scale' or 'delay'"};
 inline const Finding kPostNoiseImplausible{
     "post-noise-implausible", Severity::kWarning,
-    "part of the residuals looks like noise of the recorded posts, but is too large for it: no bias by noise of the "
-    "posts was corrected",
-    "add what the vehicle lacks, see `fourpost suggest`, or state the 'noise' of the posts"};
+    "noise of the recorded posts, as stated or as the residuals show it, would move the fit further than noise can; "
+    "its "
+    "bias was not corrected",
+    "correct the 'noise' of the posts; if it is right, add what the vehicle lacks, see `fourpost suggest`"};
+inline const Finding kCalibrationUnused{
+    "calibration-unused", Severity::kWarning,
+    "the data could not be asked for the calibrations; intervals take them as stated",
+    "check first whether the model lacks something, or state smaller deviations"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

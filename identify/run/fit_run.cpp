@@ -1,6 +1,7 @@
 #include "identify/run/fit_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -248,6 +249,7 @@ class Fitter {
   /// Goes on with what the full geometry adds to the model that was fitted, until that changes no more.
   void GoOnWithFullGeometry(FitOptions options, LoadedStudy& loaded, FitResult& fit) const {
     constexpr int kMostRounds = 4;
+    if (fit.end == FitEnd::kInterrupted) return;
     for (int round = 0; fit.end != FitEnd::kInterrupted && IsCorrectionDue(loaded, fit) && round < kMostRounds;
          ++round) {
       for (Experiment& experiment : loaded.study.experiments) experiment.Correct();
@@ -255,8 +257,18 @@ class Fitter {
       options.from = FreeValues(loaded, fit);
       FitResult next = FitInto(ContextOf(loaded), objective, options);
       if (next.parameters.empty() || next.end == FitEnd::kInterrupted) fit.end = FitEnd::kInterrupted;
-      else fit = GoneOn(fit, std::move(next));
+      else if (std::isfinite(next.cost)) fit = GoneOn(fit, std::move(next));
+      else return EndUncorrected(next.message, fit);
     }
+    // Its deviations would be those of linear kinematics.
+    if (fit.end == FitEnd::kInterrupted) fit.DropDeviations();
+  }
+
+  /// Where the model with what the full geometry adds cannot be evaluated.
+  static void EndUncorrected(const std::string& why, FitResult& fit) {
+    fit.end = FitEnd::kNotConverged;
+    fit.message = why;
+    fit.DropDeviations();
   }
 
   /// What could be added to the vehicle, where there is reason to look.
@@ -271,7 +283,7 @@ class Fitter {
       Suggestions found = SuggestFor(loaded, FreeValues(loaded, fit), request_.threads, hooks_.work);
       if (!found.is_interrupted) return found;
       hooks_.work.Note("interrupted while looking for what the vehicle lacks; `fourpost suggest` looks again");
-    } catch (const std::runtime_error& failure) {
+    } catch (const std::exception& failure) {
       hooks_.work.Note(std::string("what the vehicle lacks could not be looked for: ") + failure.what());
     }
     return std::nullopt;

@@ -131,6 +131,7 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
   else if (fit.covariance) AddOpen(fit, conclusions);
   else conclusions.Report(kEndedWithoutDeviations, {});
   if (has_deviations && fit.is_input_noise_implausible) conclusions.Report(kPostNoiseImplausible, {});
+  if (has_deviations && fit.are_calibrations_unused) conclusions.Report(kCalibrationUnused, {});
   if (has_deviations) {
     AddOtherOptima(fit, conclusions);
     AddCalibrations(fit, conclusions);

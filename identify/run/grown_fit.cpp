@@ -56,15 +56,20 @@ class Grower {
     WritePath();
     fs::path study = request_.study;
     GrowthStep first{.folder = FolderOf(0), .is_kept = true};
+    grown_.folder = request_.output / first.folder / "fit";
     if (!Fit(study, first)) return std::move(grown_);
+    grown_.folder = request_.output;
     grown_.steps.push_back(first);
     WritePath();
+    grown_.end = std::to_string(kMostSteps) + " additions are enough";
     for (int round = 0; round < kMostSteps && !hooks_.work.IsStopped(); ++round) {
-      const std::optional<fs::path> next = Grow(study);
+      const std::optional<fs::path> next = TryToGrow(study);
       if (!next) break;
       study = *next;
     }
     grown_.is_interrupted = hooks_.work.IsStopped();
+    if (grown_.is_interrupted) grown_.end = "interrupted";
+    WritePath();
     if (grown_.is_interrupted) hooks_.work.Note("interrupted: the results are those of the last step that was kept");
     Finish(study);
     return std::move(grown_);
@@ -98,12 +103,25 @@ class Grower {
     return true;
   }
 
+  /// What was reached is not lost by what comes after it.
+  std::optional<fs::path> TryToGrow(const fs::path& study) {
+    try {
+      return Grow(study);
+    } catch (const OutputError&) {
+      throw;
+    } catch (const std::exception& failure) {
+      grown_.end = failure.what();
+      return std::nullopt;
+    }
+  }
+
   /// The study of the next step that is kept; nothing where none is.
   std::optional<fs::path> Grow(const fs::path& study) {
     constexpr std::size_t kMostTries = 3;
     const GrowthStep before = LastKept();
-    // What the stated errors explain, no addition has to.
+    grown_.end = "the stated errors explain the residuals";
     if (before.misfit <= 1) return std::nullopt;
+    grown_.end = "nothing more pays";
     const RunSuggestions run = SuggestForRun(
         {.run = request_.output / before.folder / "fit", .study = study, .threads = request_.threads}, hooks_.work);
     const Suggestions& suggestions = run.suggestions;
@@ -158,7 +176,9 @@ class Grower {
     Json steps = Json::array();
     for (const GrowthStep& step : grown_.steps) steps.push_back(StepJson(step));
     OutputFolder output(request_.output / "steps", "", "growth.json");
-    output.Add("growth.json", JsonText(Json{{"study", request_.study.filename().string()}, {"steps", steps}}));
+    output.Add("growth.json", JsonText(Json{{"study", request_.study.filename().string()},
+                                            {"steps", steps},
+                                            {"end", grown_.end.empty() ? Json() : Json(grown_.end)}}));
     output.Commit();
   }
 

@@ -29,15 +29,19 @@ struct GrowthStep {
 
 struct GrownFit {
   std::vector<GrowthStep> steps;
-  /// Of the last step that was kept, into the output itself.
+  /// Of the last step that was kept, and its folder: the output itself, but for a first fit that was interrupted.
   FitRun fit;
+  std::filesystem::path folder;
+  /// Why it added no more: "nothing more pays".
+  std::string end = {};
   /// Stopped before it was known whether more pays.
   bool is_interrupted = false;
 };
 
 /// Fits the study, asks what could be added, adds the best of it, fits again, and goes on while the extended BIC falls
-/// and validation recordings are predicted no worse, until the misfit is 1. Writes each step into `steps/N` of the output, growth.json, and
-/// the last fit that was kept into the output itself. Throws as FitStudy() does.
+/// and validation recordings are predicted no worse, until the stated errors explain the residuals. Writes each step
+/// into `steps/N` of the output, growth.json, and the last fit that was kept into the output itself. A step that cannot
+/// be made ends it with those before. Throws as FitStudy() does for the first.
 GrownFit GrowFit(const FitRequest& request, const FitRunHooks& hooks = {});
 
 }  // namespace fourpost

@@ -12,6 +12,7 @@
 #include "identify/run/findings.h"
 #include "identify/run/study_fit.h"
 #include "identify/study_file/result_reader.h"
+#include "identify/suggest/findings.h"
 
 namespace fourpost {
 namespace {
@@ -44,6 +45,11 @@ void RequireCost(const nlohmann::json& result, double cost, const std::filesyste
 RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hooks) {
   const nlohmann::json result = ReadResultFile(request.run / "result.json");
   RunSuggestions run{.study = LoadSoundStudy(request.study)};
+  if (constexpr double kMost = 0.5; result.value("post_noise_share", 0.0) > kMost) {
+    Diagnostics noise;
+    noise.Report(kSuggestPostNoise, {(request.run / "result.json").string()});
+    hooks.Find(noise);
+  }
   run.values = FittedValues(result, run.study);
   run.study.Prepare(hooks);
   if (!run.study.CorrectAt(run.values, hooks)) {

@@ -9,4 +9,9 @@ inline const Finding kSuggestPointFailed{"suggest-point-failed", Severity::kErro
                                          "the model cannot be evaluated at the fitted values of the run",
                                          "check vehicle.urdf of the run with `fourpost check`"};
 
+inline const Finding kSuggestPostNoise{
+    "suggest-post-noise", Severity::kWarning,
+    "most of the residuals is noise of the recorded posts, and additions may only imitate it",
+    "record the posts with less noise, or take their commanded motion"};
+
 }  // namespace fourpost

@@ -183,7 +183,8 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
   }
   test.cost = cost;
   test.step = step;
-  test.is_confirmed = cost < before;
+  // Not by the way back to an optimum that the fitted point lies beside.
+  test.is_confirmed = cost < std::min(before, fitted.Of(fitted.point().residuals).cost);
   if (test.is_confirmed) test.amount = amount;
 }
 

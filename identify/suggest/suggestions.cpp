@@ -111,9 +111,12 @@ class AugmentedStudy {
     if (!study) return std::nullopt;
     LoadedStudy loaded{.study = *std::move(study), .vehicle = study_.vehicle, .free = study_.free};
     const Subject subject = loaded.MakeSubject();
+    auto fitted = study_.study.experiments.begin();
     for (Experiment& experiment : loaded.study.experiments) {
       experiment.LeaveOutValidation();
       experiment.Load(subject, findings);
+      experiment.CorrectAs(*fitted);
+      ++fitted;
     }
     if (findings.HasErrors()) {
       failure_ = FirstErrorOf(findings);
@@ -445,8 +448,9 @@ std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& s
     if (!lower || !upper) continue;
     const double least = lower->si > 0 ? std::max(lower->si, value / kFactor) : lower->si;
     const double most = std::min(upper->si, value * kFactor);
-    edit.Set(*element, "lower", FormatQuantity(AtDigits(least, 4), lower->unit_text));
-    edit.Set(*element, "upper", FormatQuantity(AtDigits(most, 4), upper->unit_text));
+    // Rounding must not leave the value outside.
+    edit.Set(*element, "lower", FormatQuantity(std::min(AtDigits(least, 4), value), lower->unit_text));
+    edit.Set(*element, "upper", FormatQuantity(std::max(AtDigits(most, 4), value), upper->unit_text));
     edit.Set(*element, "precision", FormatQuantity(AtDigits((most - least) / 1e5, 3), upper->unit_text));
   }
   return edit.Text();

@@ -3,6 +3,7 @@ import csv
 import json
 import random
 import re
+import statistics
 import unittest
 
 from program import ProgramTest
@@ -88,6 +89,37 @@ class Calibration(ProgramTest):
         self.record(4)
         result = self.fit(STATED)
         self.assertNotIn("calibration-beyond", [one["id"] for one in result["conclusions"]])
+
+    def test_does_not_take_noise_of_posts_for_gains(self):
+        """That noise moves the fit beside the optimum on purpose; the data must not pull the gains back by it."""
+        self.run_program("simulate", "truth/vehicle.urdf", "--random", "4mm", "--duration", "20s", "--rate", "200Hz",
+                         "--engine", "reduced", "--seed", "3", "-o", "clean.csv")
+        with open(self.folder / "clean.csv", newline="") as file:
+            names, units, *rows = csv.reader(file)
+        columns = [list(map(float, column)) for column in zip(*rows)]
+        draw = random.Random(6)
+        noise = {}
+        for name, unit, column in zip(names[1:], units[1:], columns[1:]):
+            sd = 0.005 * statistics.pstdev(column)
+            column[:] = [value + draw.gauss(0, sd) for value in column]
+            noise[name] = f"{sd:.6g} {unit}"
+        with open(self.folder / "recording.csv", "w", newline="") as file:
+            csv.writer(file).writerows([names, units, *zip(*columns)])
+        post = next(name for name in names if name.startswith("post_"))
+        sensors = [name for name in names[1:] if name != post]
+        self.write("study.yaml", "\n".join([
+            "vehicle: truth/vehicle.urdf", "histories:", "  - file: recording.csv",
+            f"    posts: {{{post[5:]}: {post}}}", f"    channels: {{{', '.join(f'{name}: {name}' for name in sensors)}}}",
+            f"    noise: {{{', '.join(f'{name}: {noise[name]}' for name in sensors)}}}",
+            "calibration: {gain: {accelerometers: 1 %, load_cells: 1 %}}",
+            "search: {evaluations: 20, starts: 1}", ""]))
+        self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest", "--accept-implausible")
+        result = json.loads((self.folder / "run/result.json").read_text())
+        self.assertEqual(result["conclusions"], [])
+        for one in result["intervals"]["calibrations"]:
+            self.assertLess(abs(one["estimate"]), 3 * one["estimate_sd"], one)
+        for one in result["parameters"]:
+            self.assertAlmostEqual(one["value"] / self.truth[one["name"]], 1, delta=0.03, msg=one)
 
     def test_refuses_what_is_no_instrument(self):
         self.write("car/wrong.yaml", "calibration: {gain: {accelerometer: 1 %}}\n" +

@@ -111,6 +111,7 @@ class Suggest(ProgramTest):
         path = json.loads((self.folder / "grown/steps/growth.json").read_text())
         kept = [step["mechanism"] for step in path["steps"] if step["kept"]]
         self.assertEqual(kept, ["", "friction"])
+        self.assertEqual(path["end"], "the stated errors explain the residuals")
         result = json.loads((self.folder / "grown/result.json").read_text())
         self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
 

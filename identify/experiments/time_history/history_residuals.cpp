@@ -201,7 +201,9 @@ Eigen::MatrixXd HistoryResiduals::ByCalibrations(const std::vector<Calibration>&
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
     const CondensedModel model = ModelOf(history, values);
-    const Eigen::MatrixXd modelled = simulations_[h].Run(model);
+    Eigen::MatrixXd modelled = simulations_[h].Run(model);
+    // Instruments read the free motion as well.
+    AddStartTo(history, model, modelled);
     const auto residuals = [&](Eigen::MatrixXd signals) {
       AddStartTo(history, model, signals);
       Eigen::VectorXd out(CountOf(history) * signals.cols());
@@ -269,6 +271,7 @@ bool MayHavePostNoise(const std::vector<MeasuredHistory>& histories) {
 /// See ResidualBlock::with_input_noise.
 std::vector<ResidualBlock> WithPostNoise(const HistoryResiduals& residuals,
                                          const std::shared_ptr<const CondensedVehicle>& vehicle,
+                                         const std::vector<Calibration>& calibrations,
                                          const std::vector<double>& values) {
   const std::vector<PostNoise> noise = residuals.PostNoiseAt(values);
   if (std::none_of(noise.begin(), noise.end(), [](const PostNoise& one) { return one.IsAny(); })) return {};
@@ -277,7 +280,7 @@ std::vector<ResidualBlock> WithPostNoise(const HistoryResiduals& residuals,
     std::vector<MeasuredHistory> noisy;
     for (std::size_t h = 0; h < noise.size(); ++h)
       noisy.push_back(WithPostNoise(residuals.histories()[h], noise[h], h, sign));
-    both.push_back(HistoryBlock(vehicle, std::move(noisy), residuals.options()));
+    both.push_back(HistoryBlock(vehicle, std::move(noisy), residuals.options(), calibrations));
   }
   return both;
 }
@@ -344,7 +347,9 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
     at_finer_steps = [residuals](const std::vector<double>& values) { return residuals->AtFinerSteps(values); };
   std::function<std::vector<ResidualBlock>(const std::vector<double>&)> with_input_noise;
   if (has_noise)
-    with_input_noise = [=](const std::vector<double>& values) { return WithPostNoise(*residuals, vehicle, values); };
+    with_input_noise = [=](const std::vector<double>& values) {
+      return WithPostNoise(*residuals, vehicle, calibrations, values);
+    };
   std::function<Eigen::MatrixXd(const std::vector<double>&)> by_calibrations;
   if (options.cost == HistoryCost::kWhitened && !calibrations.empty())
     by_calibrations = [residuals, calibrations](const std::vector<double>& values) {

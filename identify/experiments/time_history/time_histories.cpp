@@ -208,6 +208,12 @@ void TimeHistories::Correct() {
   for (std::size_t h = 0; h < checks.size(); ++h) fitted[h].correction = checks[h].correction;
 }
 
+void TimeHistories::CorrectAs(const Experiment& other) {
+  const auto& corrected = dynamic_cast<const TimeHistories&>(other).fitted;
+  for (std::size_t h = 0; h < std::min(fitted.size(), corrected.size()); ++h)
+    if (fitted[h].count == corrected[h].count) fitted[h].correction = corrected[h].correction;
+}
+
 bool TimeHistories::Reads(const RecordedTable& table) const {
   std::vector<std::string> times = kTimeColumn.names;
   for (const StudyHistory& history : plan.histories)

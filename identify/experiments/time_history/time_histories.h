@@ -52,6 +52,7 @@ class TimeHistories : public Experiment {
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
   Geometry CheckGeometry(const Subject& subject, const std::vector<double>& values, const WorkHooks& hooks) override;
   void Correct() override;
+  void CorrectAs(const Experiment& other) override;
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   std::optional<ExperimentResults> Respond(const Subject& subject, std::optional<Engine> engine,
                                            const WorkHooks& hooks) const override;
