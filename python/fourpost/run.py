@@ -138,8 +138,8 @@ class Run:
     def draws(self, count: int = 200, *, seed: int = 1, noise_of: Path | None = None, threads: int = 0) -> pd.DataFrame:
         """Values that the fit allows, a row each, a column per fitted parameter, SI; `attrs["units"]` has the units.
 
-        noise_of: the file of the study that was fitted, of arrays `inputs/arrays.yaml` in the folder, to draw of the likelihood alone, as `fourpost draws --noise-only`; default:
-        of all that the intervals allow for.
+        noise_of: the file of the study that was fitted, of arrays `inputs/arrays.yaml` in the folder, to draw of the
+            likelihood alone, as `fourpost draws --noise-only`; default: of all that the intervals allow for.
         """
         if count < 2:
             raise refuse("value-out-of-range", f"count is {count}: draw 2 or more")
@@ -243,7 +243,8 @@ def fit(study: Study | Path, output: Path | None = None, *, threads: int = 0, se
         the study.
 
     Warnings are those of Python, as they are found. Ctrl-C raises KeyboardInterrupt after the fit has written what it
-    has; its note names the folder and says whether there are results for `read_run` or only evaluations to go on from. Raises InputError, SimulationError, OutputError.
+    has; its note names the folder and says whether there are results for `read_run` or only evaluations to go on from.
+    Raises InputError, SimulationError, OutputError.
     """
     folder = os.fspath(tempfile.mkdtemp(prefix="fourpost-") if output is None else output)
     core = (study if isinstance(study, Study) else Study(study))._core
