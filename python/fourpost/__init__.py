@@ -3,13 +3,13 @@
 Values are SI and angles radians, unless a name says otherwise ("_dB", "_deg"). Posts, sensors and parameters go by
 their names in the vehicle file. docs/python.md is a guide.
 """
-from ._core import in_unit, to_si
 from ._core import version as _version
 from .errors import Error, Finding, InputError, InputWarning, OutputError, SimulationError
 from .response import History, Response, Responses
 from .run import Choice, Prediction, Progress, Run, choose, fit, read_run
 from .search import Axis, Minimum, minimise
 from .study import Bench, Measured, ModelError, Objective, SteppedSine, Study, TimeHistory
+from .units import in_unit, to_si
 from .vehicle import Vehicle, load
 
 __version__ = _version()

@@ -14,6 +14,7 @@ class Finding(NamedTuple):
     file: str
     """Where it is; empty and line 0 where it is in no file or about the file as a whole."""
     line: int
+    """From 1."""
     argument: str
     """The option of the command line that it is about, where it is about one: "--mode"."""
     text: str
@@ -25,7 +26,10 @@ class Finding(NamedTuple):
 
 
 class Error(Exception):
-    """What ends a call; `findings` hold all that was found, errors and warnings."""
+    """What ends a call."""
+
+    findings: list[Finding]
+    """All that was found, errors and warnings."""
 
     def __init__(self, message: str, findings: Sequence[Finding] = ()):
         super().__init__(message)
@@ -51,6 +55,9 @@ class OutputError(Error):
 
 class InputWarning(UserWarning):
     """A warning about the input."""
+
+    finding: Finding
+    """With its id and its place."""
 
     def __init__(self, finding: Finding):
         super().__init__(str(finding))

@@ -26,10 +26,10 @@ class Response:
 
     A signal of phasor X is x(t) = Re(X exp(i 2 pi f t)): a channel that lags the post has a negative phase. Axes are
     those of ISO 8855 (x forward, y left, z up); extension and rebound are positive, and so is more load on a tyre.
-    `response["a_cg"]` is the row of `frf` of that sensor.
     """
 
     mode: str
+    """Motion of the posts: "heave", "FL=1,FR=-1", ..."""
     frequency: Floats
     """F, Hz."""
     amplitude: Floats
@@ -37,8 +37,8 @@ class Response:
     units: dict[str, str]
     """SI unit of each sensor's reading, in the order of the rows below."""
     frf: Complexes
-    """S x F: first harmonic over that of the reference post: over its acceleration for accelerometers, else over its
-    displacement. NaN where no steady motion was found."""
+    """S x F, SI: first harmonic over that of the reference post: over its acceleration for accelerometers, else over
+    its displacement. NaN where no steady motion was found."""
     mean: Floats
     """S x F: mean reading less that at rest, in `units`."""
     second_harmonic: Floats
@@ -46,19 +46,22 @@ class Response:
     engine: str
     """The one that answered."""
     kinematics_error_dB: float | None = None
+    """Largest error of linear kinematics in gain, as far as engine "auto" could estimate it."""
     kinematics_error_deg: float | None = None
-    """Largest error of linear kinematics, as far as engine "auto" could estimate it."""
+    """The same in phase."""
 
     @property
     def sensors(self) -> list[str]:
+        """Names, in the order of the rows."""
         return list(self.units)
 
     def __getitem__(self, sensor: str) -> Complexes:
+        """F, SI: the row of `frf` of a sensor. Raises InputError (`name-unknown`)."""
         row: Complexes = self.frf[_place(self.sensors, sensor)]
         return row
 
     def to_frame(self) -> pd.DataFrame:
-        """A row per sensor and frequency, with columns of response.csv: gain, phase_deg, mean, second_harmonic."""
+        """A row per sensor and frequency, SI, with columns of response.csv: gain, phase_deg, mean, second_harmonic."""
         sensors, count = self.sensors, len(self.frequency)
         return pd.DataFrame({"channel": np.repeat(sensors, count),
                              "unit": np.repeat(list(self.units.values()), count),
@@ -70,7 +73,7 @@ class Response:
                              "second_harmonic": self.second_harmonic.ravel()})
 
     def to_xarray(self) -> xarray.Dataset:
-        """frf, mean and second_harmonic over sensor and frequency; needs xarray."""
+        """frf, mean and second_harmonic over sensor and frequency [Hz]; needs xarray."""
         return _dataset(self, ["sensor", "frequency"], {})
 
     def _repr_html_(self) -> str:
@@ -87,33 +90,43 @@ class Responses:
     """Steady responses of n cars to one stepped sine; arrays are those of Response with a first axis of n cars."""
 
     mode: str
+    """As in Response."""
     frequency: Floats
+    """F, Hz."""
     amplitude: Floats
+    """F, m; of the reference post."""
     units: dict[str, str]
+    """SI unit of each sensor's reading, in the order of the second axis below."""
     frf: Complexes
-    """n x S x F; NaN in the rows of `failures`."""
+    """n x S x F, SI, as Response.frf; NaN in the rows of `failures`, here and below."""
     mean: Floats
+    """n x S x F: mean reading less that at rest, in `units`."""
     second_harmonic: Floats
+    """n x S x F: amplitude, in `units`."""
     parameters: list[str]
+    """Names of the columns of `values`."""
     values: Floats
     """n x p, SI."""
     engines: list[str | None]
+    """The one that answered, of each car; nothing where there is no response."""
     failures: dict[int, str]
     """Why a car has no response, by its row."""
 
     @property
     def sensors(self) -> list[str]:
+        """Names, in the order of the second axis."""
         return list(self.units)
 
     def __len__(self) -> int:
+        """n"""
         return len(self.values)
 
     def __getitem__(self, sensor: str) -> Complexes:
-        """n x F"""
+        """n x F, SI: `frf` of a sensor. Raises InputError (`name-unknown`)."""
         return self.frf[:, _place(self.sensors, sensor)]
 
     def to_xarray(self) -> xarray.Dataset:
-        """frf, mean and second_harmonic over car, sensor and frequency, parameters along car; needs xarray."""
+        """frf, mean and second_harmonic over car, sensor and frequency [Hz], parameters along car; needs xarray."""
         cars = {name: ("car", self.values[:, column]) for column, name in enumerate(self.parameters)}
         return _dataset(self, ["car", "sensor", "frequency"], cars)
 
@@ -129,13 +142,14 @@ def _dataset(response: Response | Responses, axes: list[str], more: dict[str, An
 
 @dataclass(frozen=True)
 class History:
-    """Readings of a car over moving posts."""
+    """Readings of a car over moving posts, N samples of S sensors."""
 
     frame: pd.DataFrame
-    """A column per sensor, in `units`; the index is time [s]."""
+    """N x S, a column per sensor, in `units`; the index is time [s]."""
     rate: float
     """Hz"""
     units: dict[str, str]
+    """SI unit of each sensor's reading, in the order of the columns."""
     engine: str
     """The one that answered: "reduced" or "full"."""
     step_change: float | None = None
@@ -144,6 +158,7 @@ class History:
     """Largest error of linear kinematics over a channel's rms, as far as engine "auto" could estimate it."""
 
     def __getitem__(self, sensor: str) -> Floats:
+        """N readings of a sensor, in `units`. Raises InputError (`name-unknown`)."""
         _place(list(self.units), sensor)
         column: Floats = self.frame[sensor].to_numpy()
         return column

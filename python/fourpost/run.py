@@ -28,7 +28,7 @@ class Progress:
     evaluations: int
     """New ones so far."""
     failed: int
-    """Of them."""
+    """Of these, without a result."""
     best_cost: float
     """By the loss of the refinement; infinite before the first."""
 
@@ -43,6 +43,7 @@ class Prediction:
     result: dict[str, Any]
     """As `fourpost predict --json` prints it (docs/reference.md)."""
     warnings: list[Finding]
+    """What speaks against the prediction."""
 
     @property
     def channels(self) -> pd.DataFrame:
@@ -61,6 +62,7 @@ class Choice:
     result: dict[str, Any]
     """As `fourpost choose --json` prints it (docs/reference.md)."""
     warnings: list[Finding]
+    """What speaks against the choice."""
 
     @property
     def best(self) -> dict[str, str] | None:
@@ -69,7 +71,8 @@ class Choice:
 
     @property
     def notable(self) -> pd.DataFrame:
-        """The best setting, the present one, and those that cannot be distinguished from the best."""
+        """A row per setting, with the numbers and units of `result`: the best, the present one, and those that cannot be
+        distinguished from the best."""
         return pd.json_normalize(self.result["notable"])
 
     def _repr_html_(self) -> str:
@@ -80,6 +83,19 @@ class Choice:
 class Run:
     """The folder of a fit: `fit` makes one, `read_run` opens it again."""
 
+    folder: pathlib.Path
+    """Where its files are (docs/reference.md)."""
+    termination: str
+    """"converged", "not_converged" or "interrupted"."""
+    explains_data: bool
+    """False where the model is no explanation of the data."""
+    cost: float
+    """Final sum of squared residuals over their standard deviations."""
+    residuals: int
+    """Their number."""
+    warnings: list[Finding]
+    """What speaks against the result."""
+
     def __init__(self, folder: Path):
         self.folder = pathlib.Path(folder)
         (self.termination, self.explains_data, self.cost, self.residuals, self._parameters,
@@ -87,11 +103,12 @@ class Run:
 
     @property
     def converged(self) -> bool:
+        """Whether the fit came to its end."""
         return self.termination == "converged"
 
     @property
     def parameters(self) -> pd.DataFrame:
-        """The fitted ones by name, SI: value, sd (standard deviation), lower_95, upper_95, start, unit, state
+        """A row per fitted parameter by name, SI: value, sd (standard deviation), lower_95, upper_95, start, unit, state
         ("determined", "undetermined", "at_bound", ..., docs/reference.md) and at_bound. NaN without a standard
         deviation."""
         columns = ["value", "sd", "lower_95", "upper_95", "start", "unit", "state", "at_bound"]
@@ -115,9 +132,9 @@ class Run:
 
     @property
     def response(self) -> Any:
-        """Measured and modelled stepped sines, the columns of response.csv, over recording, channel and frequency_Hz:
-        an xarray.Dataset, NaN where a recording lacks a frequency. A frame with these as index without xarray, or where
-        a recording has a frequency twice."""
+        """Measured and modelled stepped sines, SI, the columns of response.csv, over recording, channel and
+        frequency_Hz: an xarray.Dataset, NaN where a recording lacks a frequency. A frame with these as index without
+        xarray, or where a recording has a frequency twice."""
         frame = self.table("response").set_index(["recording", "channel", "frequency_Hz"])
         try:
             import xarray  # noqa: F401
@@ -126,7 +143,8 @@ class Run:
         return frame.to_xarray() if frame.index.is_unique else frame
 
     def table(self, name: str) -> pd.DataFrame:
-        """A table of the folder, such as "response", "history", "validation" or "parameters" (docs/reference.md).
+        """A table of the folder, with the columns and units that docs/reference.md names: "response", "history",
+        "validation", "parameters" or another one.
 
         Raises InputError for one that the folder lacks.
         """
@@ -136,7 +154,8 @@ class Run:
         return pd.read_csv(self.folder / f"{name}.csv", float_precision="round_trip")
 
     def draws(self, count: int = 200, *, seed: int = 1, noise_of: Path | None = None, threads: int = 0) -> pd.DataFrame:
-        """Values that the fit allows, a row each, a column per fitted parameter, SI; `attrs["units"]` has the units.
+        """Parameter values that the fit allows, count x p, a column per fitted parameter, SI; `attrs["units"]` has the
+        units.
 
         noise_of: the file of the study that was fitted, of arrays `inputs/arrays.yaml` in the folder, to draw of the
             likelihood alone, as `fourpost draws --noise-only`; default: of all that the intervals allow for.
@@ -154,7 +173,7 @@ class Run:
                 posts: str = "", output: Path | None = None) -> Prediction:
         """How well the fitted vehicle predicts a recording.
 
-        recording: a file, or a frame over time [s], with the channels that the study names.
+        recording: a file, or a frame over time [s], a column for each channel that the study names, in `units`.
             Of a study of arrays: FL or post_FL, ... and the sensors.
         units: of each column of a frame; posts of a study of arrays are in m unless stated.
         posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.

@@ -15,8 +15,11 @@ class Axis(NamedTuple):
     """One variable of a search: lower, lower + precision, ... up to upper."""
 
     lower: float
+    """First value."""
     upper: float
+    """Last value."""
     precision: float
+    """Step between values."""
     discrete: bool = False
     """Nothing lies between its values: a number of teeth, a place in a catalogue."""
 
@@ -26,6 +29,7 @@ class Minimum:
     """Where a search ended."""
 
     values: dict[str, float]
+    """By the name of their axis."""
     cost: float
     """Sum of squared residuals."""
     evaluations: int
@@ -39,7 +43,8 @@ def minimise(axes: Mapping[str, Axis | tuple[float, float, float]], residuals: C
     """Finds the values of the least sum of squared residuals on a grid.
 
     axes: by name.
-    residuals: of values in the order of the axes; what it raises, NaN and infinity count as a failed evaluation.
+    residuals: N numbers at p values in the order and units of the axes; what it raises, NaN and infinity count as a
+        failed evaluation.
     method: as `fourpost compare --methods`.
     target: ends the search where the cost is as low.
 

@@ -20,11 +20,11 @@ class Measured:
     """A measured response of a sensor, one value per frequency."""
 
     frf: npt.ArrayLike
-    """F, complex, as Response.frf."""
+    """F, complex, SI, as Response.frf."""
     relative_sd: float = 0.01
     """Relative to the gain; the phase's is the same in radians."""
     mean: npt.ArrayLike = ()
-    """F, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
+    """F, SI, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
     from rebound."""
 
 
@@ -37,11 +37,12 @@ class SteppedSine:
     amplitude: npt.ArrayLike
     """Of the reference post [m]: F, or one for all."""
     channels: Mapping[str, Measured | npt.ArrayLike]
-    """By the name of their sensor: an array is a `Measured` with its standard deviation of 1 %. A sensor of one test is
-    fitted in all tests of a study."""
+    """F values, SI, by the name of their sensor: an array is a `Measured` with its standard deviation of 1 %. A
+    sensor of one test is fitted in all tests of a study."""
     posts: str = "heave"
     """As `mode` of Vehicle.response."""
     name: str = ""
+    """Of the recording in results; default: its file in the run's folder `inputs`."""
 
 
 @dataclass(frozen=True)
@@ -49,9 +50,9 @@ class TimeHistory:
     """A recording over time on moving posts."""
 
     posts: pd.DataFrame | Mapping[str, npt.ArrayLike]
-    """Heights by the name of their post [m], as in Vehicle.simulate."""
+    """N heights [m] of each post by its name, as in Vehicle.simulate."""
     channels: pd.DataFrame | Mapping[str, npt.ArrayLike]
-    """Readings by the name of their sensor, in its SI unit, as many as heights."""
+    """N readings of each sensor by its name, in its SI unit."""
     rate: float | None = None
     """Hz; needed where `posts` is no frame over time."""
     noise: Mapping[str, float] = field(default_factory=dict)
@@ -61,6 +62,7 @@ class TimeHistory:
     validation: bool = False
     """Left out of the fit and predicted after it."""
     name: str = ""
+    """Of the recording in results; default: its file in the run's folder `inputs`."""
 
 
 @dataclass(frozen=True)
@@ -70,9 +72,9 @@ class Bench:
     rate: float
     """Hz"""
     displacement: npt.ArrayLike
-    """Extension of the damper [m]."""
+    """N samples of the damper's extension [m]."""
     force: npt.ArrayLike
-    """Its tension [N]."""
+    """N samples of its tension [N]."""
     validation: bool = False
     """Left out of the fit and predicted after it."""
 
@@ -82,12 +84,15 @@ class ModelError:
     """What a model cannot show of its data, beside their noise, as one standard deviation."""
 
     gain_dB: float = 1
+    """Of responses to stepped sines."""
     phase_deg: float = 5
+    """The same of phases."""
     floor: float = 0.03
     """Least error next to a node, as a share of the largest channel of that unit at that frequency."""
     history: float = 0.02
     """As a share of the standard deviation of each channel."""
     bench: float = 0.05
+    """Of forces on a bench, as a share of their standard deviation."""
 
 
 class Study:
@@ -103,6 +108,9 @@ class Study:
 
     What is wrong with the arrays is raised when the study is used.
     """
+
+    name: str
+    """Of the vehicle, or the path of the study file."""
 
     def __init__(self, model: Vehicle | Path, tests: Sequence[SteppedSine | TimeHistory | Bench] = (), *,
                  free: str | Sequence[str] = (), band: tuple[float, float] | None = None,
@@ -160,13 +168,16 @@ class Objective:
     geometry, which only time histories have.
     """
 
+    study: Study
+    """The one it is of."""
+
     def __init__(self, study: Study | Path):
         self.study = study if isinstance(study, Study) else Study(study)
         self._core = _core.Objective(self.study._core)
 
     @property
     def parameters(self) -> pd.DataFrame:
-        """The free ones by name: value in the vehicle's file, lower, upper and unit, SI."""
+        """A row per free parameter by name: value in the vehicle's file, lower, upper and unit, SI."""
         return _arrays.parameter_frame(self._core.parameters, ["value", "lower", "upper", "unit"])
 
     @property
@@ -175,8 +186,11 @@ class Objective:
         return self._core.count
 
     def residuals(self, x: npt.ArrayLike, threads: int = 0) -> Floats:
-        """N of one point; n x N of many, NaN where the model has none, for which one point raises SimulationError
-        (`evaluation-failed`)."""
+        """N residuals of one point; n x N of many, NaN where the model has none, for which one point raises
+        SimulationError (`evaluation-failed`).
+
+        x: p values or n x p, SI.
+        """
         points = np.asarray(x, dtype=float)
         if points.ndim < 2:
             return self._core.residuals(_arrays.vector("x", points))
@@ -184,7 +198,10 @@ class Objective:
 
     def jacobian(self, x: npt.ArrayLike) -> Floats:
         """d residuals / d x, N x p, of one point within the ranges: by the model where it has derivatives, good for
-        steps of a refinement, else by central differences. Raises InputError (`value-out-of-range`) outside."""
+        steps of a refinement, else by central differences. Raises InputError (`value-out-of-range`) outside.
+
+        x: p values, SI.
+        """
         return self._core.jacobian(_arrays.vector("x", x))
 
     @overload
@@ -194,7 +211,10 @@ class Objective:
     def cost(self, x: npt.ArrayLike, threads: int = 0) -> float | Floats:
         """What the fit minimises: the sum of squared residuals, or of the study's loss of them; one number, or n; NaN
         where the model has none. Half of it is the negative logarithm of the likelihood of normal noise without a
-        loss."""
+        loss.
+
+        x: p values or n x p, SI.
+        """
         points = np.asarray(x, dtype=float)
         if points.ndim < 2:
             return float(self._core.costs_at(self._table(_arrays.vector("x", points)[None]), 1)[0])

@@ -27,14 +27,17 @@ class Vehicle:
 
     @property
     def name(self) -> str:
+        """As the file has it."""
         return self._core.name
 
     @property
     def links(self) -> list[str]:
+        """Names of the bodies."""
         return self._core.links
 
     @property
     def posts(self) -> list[str]:
+        """Names."""
         return self._core.posts
 
     @property
@@ -44,8 +47,8 @@ class Vehicle:
 
     @property
     def parameters(self) -> pd.DataFrame:
-        """The numbers that can be fitted, by name: value, lower, upper and unit, SI. Without a range both bounds are
-        the value."""
+        """A row per number that can be fitted, by name: value, lower, upper and unit, SI. Without a range both bounds
+        are the value."""
         return _arrays.parameter_frame(self._core.parameters, ["value", "lower", "upper", "unit"])
 
     def __getitem__(self, parameter: str) -> float:
@@ -100,9 +103,11 @@ class Vehicle:
 
         values: n x p, SI, a car a row; of a frame the columns are the parameters, as of `Run.draws`.
         parameters: names of the columns of an array.
+        frequency, amplitude: F [Hz] and F or one for all [m], as in `response`; so are mode and stroke.
+        engine: as in `response`; "reduced" takes the geometry once for all cars.
         threads: 0: one per processor. No influence on the result.
 
-        The rest as in `response`; "reduced" takes the geometry once for all cars. A car that has no response is one of
+        A car that has no response is one of
         `failures`, with NaN in its row. Raises InputError for what cannot be used of any car.
         """
         names, rows = _arrays.table(values, parameters)
@@ -115,8 +120,8 @@ class Vehicle:
                  engine: str = "auto", stroke: float = 0.15, **values: Quantity) -> History:
         """The car from rest over moving posts, between whose samples a spline goes.
 
-        posts: heights [m] by the name of their post, upward from the position under the resting vehicle, equally many
-            samples each; posts that are not named stand still. The index of a frame is time [s].
+        posts: N heights [m] of each post by its name, upward from the position under the resting vehicle; posts that
+            are not named stand still. The index of a frame is time [s].
         rate: of the samples [Hz]; needed of arrays.
         engine: "reduced", "full" or "auto", as in `response`; "full" integrates in time here.
         stroke, values: as in `response`.

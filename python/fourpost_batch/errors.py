@@ -12,11 +12,15 @@ class Finding(NamedTuple):
     """An error or a warning as `fourpost` prints it."""
 
     id: str
+    """Lower case with hyphens; never changes. `fourpost help ID` explains it."""
     severity: str
     """"error" or "warning"."""
     text: str
+    """What is wrong and what to do."""
     file: str = ""
+    """Where it is; empty where it is in no file."""
     line: int = 0
+    """From 1; 0 where it is about the file as a whole."""
 
     def __str__(self) -> str:
         place = f"{self.file}:{self.line}" if self.line else self.file
@@ -24,7 +28,12 @@ class Finding(NamedTuple):
 
 
 class BatchError(Exception):
-    """What ends a batch: `findings`, and the exit `code` that fits them."""
+    """What ends a batch."""
+
+    findings: list[Finding]
+    """All that is wrong."""
+    code: int
+    """The exit code that fits them."""
 
     def __init__(self, findings: Iterable[Finding], code: int = UNREADABLE):
         self.findings = list(findings)
@@ -33,10 +42,14 @@ class BatchError(Exception):
 
 
 class Trouble(Exception):
-    """Why a unit has no result, for reasons that are not its own: it is tried again, elsewhere if that is possible.
+    """Why a unit has no result, for reasons that are not its own: it is tried again, elsewhere if that is possible."""
 
-    kind: "lost" (its process was killed), "disk", "build", "files", "program", "memory", "failed".
-    """
+    kind: str
+    """"lost" (its process was killed), "disk", "build", "files", "program", "memory", "failed"."""
+    text: str
+    """What happened."""
+    worker: str
+    """Where; empty where that is not known."""
 
     def __init__(self, kind: str, text: str, worker: str = ""):
         super().__init__(kind, text, worker)

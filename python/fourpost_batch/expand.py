@@ -34,8 +34,8 @@ class Expanded:
 
 
 def expand(plan: Plan, program: Program) -> Expanded:
-    """Raises BatchError with all that is wrong: studies and recordings are read, and what the program would refuse is
-    refused before anything is computed."""
+    """The units of a plan, as `units`, and their input files by hash, as `sources`. Raises BatchError with all that is
+    wrong: studies and recordings are read, and what the program would refuse is refused before anything is computed."""
     return _Expansion(plan, program).run()
 
 

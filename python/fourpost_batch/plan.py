@@ -6,7 +6,7 @@ import os
 import pathlib
 import re
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Callable
 
 from . import findings
@@ -40,13 +40,16 @@ class Plan:
     """What a file asks for; paths in it are absolute."""
 
     file: pathlib.Path
+    """The plan's."""
     shown: str
     """The file as it was named."""
     entries: list[Entry]
+    """Of all sections, in the order of the file: `section`, `line`, and `values` by key."""
     keep: tuple[str, ...] = DEFAULT_KEEP
-    findings: list[Finding] = field(default_factory=list)
+    """Patterns of files in the folder of a fit that its result holds."""
 
     def of(self, section: str) -> list[Entry]:
+        """Entries of a section, such as "fits"."""
         return [entry for entry in self.entries if entry.section == section]
 
 
@@ -200,7 +203,7 @@ def _entry(reader: _Reader, section: str, node: Any) -> Entry | None:
 
 
 def read_plan(file: str | os.PathLike[str]) -> Plan:
-    """Raises BatchError with all that is wrong."""
+    """Reads a plan (docs/batch.md). Raises BatchError with all that is wrong."""
     try:
         import yaml
     except ImportError:

@@ -17,19 +17,23 @@ def _build_of(path: str, size: int, changed: int) -> str:
 
 
 class Program:
-    """An executable of fourpost. Its `build` is its version and the hash of its bytes."""
+    """An executable of fourpost."""
+
+    path: str
+    """Absolute."""
 
     def __init__(self, path: str | os.PathLike[str]):
         self.path = os.path.abspath(path)
 
     @property
     def build(self) -> str:
-        """Raises OSError, subprocess.CalledProcessError."""
+        """Its version and the hash of its bytes. Raises OSError, subprocess.CalledProcessError."""
         status = os.stat(self.path)
         return _build_of(self.path, status.st_size, status.st_mtime_ns)
 
     @property
     def version(self) -> str:
+        """Such as "0.2.0"."""
         return self.build.split()[0]
 
 

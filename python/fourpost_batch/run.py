@@ -48,12 +48,19 @@ class Tally:
     lost: dict[str, Trouble] = field(default_factory=dict)
     """By key: units that were given up."""
     warnings: list[Finding] = field(default_factory=list)
+    """Of workers and of the store."""
 
 
 def run(units: Iterable[Unit], store: Store, crew: Crew, *, tries: int = 10,
         progress: Callable[[Tally, int], None] = lambda tally, left: None) -> Tally:
-    """Brings the results of all units into the store. Raises BatchError where workers or the store are gone; results so
-    far are kept. Units that were lost `tries` times are in the tally."""
+    """Brings the results of all units into the store.
+
+    crew: who computes: `fourpost_batch.local.LocalCrew`, `fourpost_batch.dask_crew.DaskCrew`, or one of your own.
+    tries: units that were lost so often are given up, and are in the tally.
+    progress: called with the tally and the number of units left.
+
+    Raises BatchError where workers or the store are gone; results so far are kept.
+    """
     return _Run(units, store, crew, tries, progress).run()
 
 

@@ -55,10 +55,14 @@ def write_whole(path: pathlib.Path, content: bytes) -> None:
 class Store:
     """Results by the keys of their units, and input files by their hashes. Any number of processes may use a folder."""
 
+    folder: pathlib.Path
+    """Absolute."""
+    damaged: set[str]
+    """Keys of results found altered so far; they count as missing."""
+
     def __init__(self, folder: str | os.PathLike[str]):
         self.folder = pathlib.Path(folder).absolute()
-        self.damaged: set[str] = set()
-        """Keys of results found altered so far; they count as missing."""
+        self.damaged = set()
 
     @staticmethod
     def make(folder: str | os.PathLike[str]) -> Store:
@@ -92,10 +96,11 @@ class Store:
             return ""
 
     def path(self, key: str) -> pathlib.Path:
+        """Where the result of a unit is, or would be."""
         return self.folder / "units" / key[:2] / f"{key}.json"
 
     def get(self, key: str) -> dict[str, Any] | None:
-        """A result, nothing where there is none or it was altered."""
+        """A result: `code`, `printed`, `messages` and `files`; nothing where there is none or it was altered."""
         try:
             text = self.path(key).read_bytes()
         except FileNotFoundError:
@@ -106,6 +111,7 @@ class Store:
         return result
 
     def has(self, key: str) -> bool:
+        """Whether there is a result, unaltered."""
         return self.get(key) is not None
 
     def put(self, key: str, text: bytes) -> None:
@@ -115,9 +121,11 @@ class Store:
         write_whole(path, text)
 
     def keys(self) -> Iterator[str]:
+        """Of all results, sorted."""
         return (path.stem for path in sorted((self.folder / "units").glob("??/*.json")))
 
     def file(self, digest: str) -> pathlib.Path:
+        """Where an input file is, or would be."""
         return self.folder / "files" / digest
 
     def add_file(self, path: str | os.PathLike[str], digest: str) -> None:

@@ -44,6 +44,7 @@ class Unit:
         return hashlib.sha256(canonical(content)).hexdigest()
 
     def to_dict(self) -> dict[str, Any]:
+        """Its fields by name, for JSON."""
         return asdict(self)
 
     @staticmethod
