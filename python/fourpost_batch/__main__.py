@@ -108,7 +108,7 @@ def main(words: list[str]) -> int:
         found = states(expanded.units, there)
         print_report(options, found, Tally(), warnings_of_units(found))
         if there:
-            write_tables(found, there)
+            write_tables(found, there, keeps=True)
         return 0
     store = Store.make(options.output)
     line = ProgressLine(len({unit.key for unit in expanded.units}))
@@ -117,7 +117,7 @@ def main(words: list[str]) -> int:
     except (BatchError, KeyboardInterrupt):
         # Of what is done; why it ended matters more than a full disk.
         with contextlib.suppress(OSError):
-            write_tables(states(expanded.units, store), store)
+            write_tables(states(expanded.units, store), store, keeps=True)
         raise
     finally:
         line.end()

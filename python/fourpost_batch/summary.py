@@ -56,8 +56,13 @@ def warnings_of(result: dict[str, Any]) -> list[Finding]:
     return findings.read("\n".join(result["messages"]), "warning")
 
 
-def write_tables(found: list[State], store: Store) -> None:
-    """results.csv, and one table for each kind of unit that has rows for it. Raises OSError."""
+def write_tables(found: list[State], store: Store, *, keeps: bool = False) -> None:
+    """results.csv, and one table for each kind of unit that has rows for it; `keeps` those of other kinds, of a plan that
+    had such units before. Raises OSError."""
+    has_results = any(one.code is not None for one in found)
+    # After an update of the program nothing of the plan is there yet, and the tables are all that shows earlier results.
+    if not has_results and (keeps or (store.folder / "results.csv").exists()):
+        return
     tables = {"results": _csv(["unit", "kind", "state", "code", "warnings", "key"],
                               [[s.unit.name, s.unit.kind, s.state, s.code, s.warnings, s.unit.key] for s in found]),
               "parameters": _parameters(found), "predictions": _predictions(found),
@@ -65,8 +70,7 @@ def write_tables(found: list[State], store: Store) -> None:
     for name, text in tables.items():
         if text:
             write_whole(store.folder / f"{name}.csv", text.encode("utf-8", "surrogateescape"))
-        else:
-            # Of a plan that had such units before.
+        elif not keeps and all(one.state != "missing" for one in found):
             (store.folder / f"{name}.csv").unlink(missing_ok=True)
 
 

@@ -159,6 +159,31 @@ def test_a_list_writes_tables_of_what_is_done(batch):
     assert [path.name for path in (batch.folder / "other").iterdir()] == ["file"]
 
 
+@pytest.mark.parametrize("words, code", [(["--list"], 0), (["--tries=1"], 75)])
+def test_tables_stay_where_nothing_of_the_plan_has_a_result(batch, words, code):
+    """After an update of the program, which changes all keys."""
+    batch.study("a.yaml", "delay 0")
+    batch.write("r.csv", "")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]\npredictions: [{of: a, recordings: r.csv}]")
+    batch.run("--output=out")
+    before = content(batch.folder / "out")
+    assert {"results.csv", "predictions.csv"} <= set(before)
+    newer = batch.write("newer", STUB.read_text().replace("\ncase $what in", "\nkill -9 $$", 1) + "# Another build.\n")
+    newer.chmod(0o755)
+    assert "2 missing" in batch.run("--output=out", *words, program=newer, code=code).stdout
+    assert content(batch.folder / "out") == before
+
+
+def test_a_list_removes_no_table(batch):
+    batch.study("a.yaml", "delay 0")
+    batch.write("r.csv", "")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]\npredictions: [{of: a, recordings: r.csv}]")
+    batch.run("--output=out")
+    batch.write("plan.yaml", "fits: [{study: a.yaml}]")
+    batch.run("--output=out", "--list")
+    assert states_in(batch) == ["done"] and (batch.folder / "out/predictions.csv").exists()
+
+
 def test_a_unit_that_always_dies_is_given_up(batch):
     batch.study("a.yaml", "code 137")
     batch.study("b.yaml", "delay 0")
