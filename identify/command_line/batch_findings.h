@@ -81,6 +81,9 @@ inline const Finding kBatchUnitLost{"batch-unit-lost", Severity::kError, "no res
                                     "run the batch again; results so far are kept"};
 inline const Finding kBatchUnitFailed{"batch-unit-failed", Severity::kError, "{} ended with code {}: {}",
                                       "correct the input and run the batch again"};
+inline const Finding kBatchUnitDefect{
+    "batch-unit-defect", Severity::kError, "{} met a defect of fourpost: {}",
+    "report it with the input and {}, which keeps its output; another build runs it again"};
 inline const Finding kBatchUnitBlocked{"batch-unit-blocked", Severity::kError, "{} cannot run, as '{}' has no fit",
                                        "see what is said of that one"};
 

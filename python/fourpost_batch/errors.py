@@ -4,7 +4,7 @@ from __future__ import annotations
 import difflib
 from typing import Iterable, NamedTuple
 
-USAGE, UNREADABLE, CANNOT_WRITE, NOT_DONE, INTERRUPTED = 2, 3, 5, 75, 130
+USAGE, UNREADABLE, CANNOT_WRITE, DEFECT, NOT_DONE, INTERRUPTED = 2, 3, 5, 70, 75, 130
 """Codes of the program, see its manual page."""
 
 

@@ -77,6 +77,8 @@ WORKER_DISK_FULL = _warning("batch-worker-disk-full", "the worker {} cannot writ
                             "free space in its TMPDIR; its units run elsewhere or later")
 UNIT_LOST = _error("batch-unit-lost", "no result for {}: {}", AGAIN)
 UNIT_FAILED = _error("batch-unit-failed", "{} ended with code {}: {}", "correct the input and run the batch again")
+UNIT_DEFECT = _error("batch-unit-defect", "{} met a defect of fourpost: {}",
+                     "report it with the input and {}, which keeps its output; another build runs it again")
 UNIT_BLOCKED = _error("batch-unit-blocked", "{} cannot run, as '{}' has no fit", "see what is said of that one")
 
 # The folder.

@@ -9,7 +9,7 @@ import sys
 from typing import Iterable
 
 from . import findings
-from .errors import Finding, Trouble
+from .errors import DEFECT, Finding, Trouble
 from .run import Tally
 from .summary import State, warnings_of
 
@@ -63,17 +63,22 @@ def of_units(names: list[str]) -> str:
 def findings_of_units(found: list[State], tally: Tally) -> list[Finding]:
     """Of those without a usable result; units with the same reason share one."""
     names = {one.unit.key: one.unit.name for one in found}
+    results = {one.unit.name: f"units/{one.unit.key[:2]}/{one.unit.key}.json" for one in found}
     groups: dict[tuple[findings.Kind, tuple[object, ...]], list[str]] = collections.defaultdict(list)
     for one in found:
         result = one.result if one.state == "failed" else None
         if result:
             why = next((text for text in result["messages"] if "error: " in text), "it said nothing")
-            groups[findings.UNIT_FAILED, (one.code, why)].append(one.unit.name)
+            # A script of coverage may end with any code.
+            is_defect = one.code == DEFECT and one.unit.kind != "coverage"
+            kind, words = (findings.UNIT_DEFECT, (why,)) if is_defect else (findings.UNIT_FAILED, (one.code, why))
+            groups[kind, words].append(one.unit.name)
         elif one.state == "blocked":
             groups[findings.UNIT_BLOCKED, (names.get(one.unit.after, "its fit"),)].append(one.unit.name)
         elif one.unit.key in tally.lost:
             groups[findings.UNIT_LOST, (_reason(tally.lost[one.unit.key]),)].append(one.unit.name)
-    return [kind(of_units(units), *words) for (kind, words), units in groups.items()]
+    return [kind(of_units(units), *words, *([results[units[0]]] if kind is findings.UNIT_DEFECT else []))
+            for (kind, words), units in groups.items()]
 
 
 def warnings_of_units(found: list[State]) -> Warned:

@@ -18,7 +18,7 @@ import threading
 import time
 from typing import Any, Mapping
 
-from .errors import Trouble
+from .errors import DEFECT, Trouble
 from .program import find_program
 from .store import Store, file_hash
 from .unit import FIT_FOLDER, Unit, result_text
@@ -27,7 +27,7 @@ FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS}
 FINDING = re.compile(r"(^|: )(error|warning): .*\[[a-z0-9-]+\]$")
 SCRATCH = "fourpost-batch-"
 # Of these the program ended by its inputs, or by a defect that it would meet again: results like others. All else is tried again.
-RESULT_CODES = (0, 1, 2, 3, 4, 70)
+RESULT_CODES = (0, 1, 2, 3, 4, DEFECT)
 
 
 def _environment() -> dict[str, str]:

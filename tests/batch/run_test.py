@@ -212,8 +212,13 @@ def test_a_defect_of_the_program_is_not_met_again(batch):
     batch.study("a.yaml", "code 70")
     batch.write("plan.yaml", "fits: [{study: a.yaml}]")
     for paid in (1, 0):
-        answer = batch.json("--output=out", code=1)
+        outcome = batch.run("--output=out", "--json", code=1)
+        answer = json.loads(outcome.stdout)
         assert answer["counts"]["failed"] == 1 and answer["work"] == {"found": 1 - paid, "paid": paid, "tried_again": 0}
+        # Its input is not what is to be corrected.
+        kept = re.search(r"the unit 'a' met a defect of fourpost: .*: report it with the input and (units/\S+json), .* "
+                         r"\[batch-unit-defect\]$", outcome.stderr.strip())[1]
+        assert "[stub-failed]" in (batch.folder / "out" / kept).read_text() and "correct the input" not in outcome.stderr
 
 
 def test_a_reason_is_said_once(batch):
