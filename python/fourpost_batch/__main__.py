@@ -59,7 +59,7 @@ def _dask(options: argparse.Namespace, workplace: Workplace, files: dict[str, by
 
 
 def _run(options: argparse.Namespace, expanded: Expanded, store: Store, line: ProgressLine) -> tuple[Tally, bool]:
-    """Runs what has no result. Whether the tables are to be written."""
+    """Runs what has no result. Whether this process speaks for the whole batch."""
     for digest, path in expanded.sources.items():
         store.add_file(path, digest)
     units = expanded.units
@@ -130,13 +130,12 @@ def main(words: list[str]) -> int:
         tally.warnings.append(findings.RESULT_DAMAGED(len(store.damaged)))
     line.tell_warnings(tally)
     # Of several workers of a launcher the last one speaks for all; mpirun would end the others for a code of this one.
-    is_last = is_whole or bool(tally.lost)
-    faults = findings_of_units(found, tally) if is_last else []
-    warned = warnings_of_units(found) if is_last else []
+    faults = findings_of_units(found, tally) if is_whole else []
+    warned = warnings_of_units(found) if is_whole else []
     print_some(f"{of_units(names)}: {finding}" for finding, names in warned)
     print_some(faults)
     print_report(options, found, tally, warned)
-    return NOT_DONE if tally.lost else UNIT_FAILED if faults else 0
+    return 0 if not is_whole else NOT_DONE if tally.lost else UNIT_FAILED if faults else 0
 
 
 def guarded(words: list[str]) -> int:

@@ -1,4 +1,5 @@
 """Plans in a folder that goes with the test, run by the program or by one that stands in for it."""
+import csv
 import json
 import os
 import pathlib
@@ -48,6 +49,12 @@ def content(folder):
     folder = pathlib.Path(folder)
     return {str(path.relative_to(folder)): path.read_bytes()
             for path in sorted([*folder.glob("units/*/[!.]*"), *folder.glob("*.csv")])}
+
+
+def states_in(batch):
+    """Of all units, by the table."""
+    with open(batch.folder / "out/results.csv") as table:
+        return sorted(row["state"] for row in csv.DictReader(table))
 
 
 @pytest.fixture
