@@ -107,7 +107,7 @@ def main(words: list[str]) -> int:
         there = Store(options.output) if options.output and Store(options.output).id else None
         found = states(expanded.units, there)
         print_report(options, found, Tally(), warnings_of_units(found))
-        if there:
+        if there and any(one.code is not None for one in found):
             write_tables(found, there, keeps=True)
         return 0
     store = Store.make(options.output)

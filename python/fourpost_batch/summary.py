@@ -59,9 +59,8 @@ def warnings_of(result: dict[str, Any]) -> list[Finding]:
 def write_tables(found: list[State], store: Store, *, keeps: bool = False) -> None:
     """results.csv, and one table for each kind of unit that has rows for it; `keeps` those of other kinds, of a plan that
     had such units before. Raises OSError."""
-    has_results = any(one.code is not None for one in found)
     # After an update of the program nothing of the plan is there yet, and the tables are all that shows earlier results.
-    if not has_results and (keeps or (store.folder / "results.csv").exists()):
+    if all(one.code is None for one in found) and (store.folder / "results.csv").exists():
         return
     tables = {"results": _csv(["unit", "kind", "state", "code", "warnings", "key"],
                               [[s.unit.name, s.unit.kind, s.state, s.code, s.warnings, s.unit.key] for s in found]),

@@ -14,6 +14,11 @@ def test_a_list_writes_tables_of_what_is_done(batch):
     batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 1..5}]")
     batch.run("--output=out", "--list")
     assert states_in(batch) == ["done"] * 2 + ["missing"] * 3
+    # Without a result of the plan there are none.
+    (batch.folder / "out/results.csv").unlink()
+    batch.write("plan.yaml", "fits: [{study: a.yaml, seeds: 7}]")
+    batch.run("--output=out", "--list")
+    assert not (batch.folder / "out/results.csv").exists()
     # A folder of others is left alone.
     batch.write("other/file", "")
     batch.run("--output=other", "--list")
