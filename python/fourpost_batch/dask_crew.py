@@ -60,7 +60,8 @@ class DaskCrew:
         with self._asking():
             self._client.subscribe_topic(self._name, lambda event: self._events.put(event[1]))
             self._forget_killed_batches()
-            self._client.register_worker_plugin(Plant(self._name, sources, place, files), self._name)
+        self._plant = Plant(self._name, sources, place, files)
+        self._set_up()
 
     @property
     def dashboard(self) -> str:
@@ -74,7 +75,16 @@ class DaskCrew:
             lambda dask_scheduler: (list(dask_scheduler.worker_plugins), list(dask_scheduler.clients)))
         for name in plugins:
             if name.startswith(NAME) and name.removeprefix(NAME) not in clients:
-                self._client.unregister_worker_plugin(name)
+                # Another batch that begins may have been faster.
+                with contextlib.suppress(ValueError, KeyError):
+                    self._client.unregister_worker_plugin(name)
+
+    def _set_up(self) -> None:
+        """Gives workers what they need, unless they have it: units that run would end. Again, as another batch that begins
+        while this client connects anew takes this batch for a killed one."""
+        with self._asking():
+            if not self._client.run_on_scheduler(lambda name, dask_scheduler: name in dask_scheduler.worker_plugins, self._name):
+                self._client.register_worker_plugin(self._plant, self._name)
 
     @contextlib.contextmanager
     def _asking(self) -> Iterator[None]:
@@ -130,6 +140,8 @@ class DaskCrew:
         try:
             if future.status == "finished":
                 answer = future.result(timeout=30)
+                if tuple(answer) == dask_plant.NOT_SET_UP:
+                    self._set_up()
                 return Trouble(*answer) if len(answer) == 3 else answer
             if future.status == "error":
                 fault = future.exception(timeout=30)

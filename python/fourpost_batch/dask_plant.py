@@ -16,6 +16,10 @@ import distributed
 
 NAME = "fourpost-batch-"
 """Of plug-ins; that of the client of a batch follows, so that several batches use a scheduler."""
+SETUP_S = 60
+"""How long a unit waits for the plug-in of its batch."""
+NOT_SET_UP = ("failed", "the worker was not set up", "")
+"""The answer of one that waited in vain."""
 
 
 class Plant(distributed.WorkerPlugin):
@@ -85,10 +89,10 @@ class Plant(distributed.WorkerPlugin):
 
 def work(name: str, unit: dict[str, Any], fit: dict[str, Any] | None) -> tuple[Any, ...]:
     """By the plug-in of this name."""
-    for _ in range(600):
+    for _ in range(10 * SETUP_S):
         plant: Any = distributed.get_worker().plugins.get(name)
         if plant is not None and hasattr(plant, "place"):
             return tuple(plant.run(unit, fit))
         # A worker that joins may get a unit before it is set up.
         time.sleep(0.1)
-    return ("failed", "the worker was not set up", "")
+    return NOT_SET_UP

@@ -11,7 +11,13 @@ import pytest
 from cluster import Cluster, command_of
 from conftest import SOURCE, STUB, content
 
+from fourpost_batch import Program, Store, expand, read_plan
+from fourpost_batch import run as run_units
+from fourpost_batch.work import Workplace
+
 distributed = pytest.importorskip("distributed")
+dask_plant = pytest.importorskip("fourpost_batch.dask_plant")
+dask_crew = pytest.importorskip("fourpost_batch.dask_crew")
 PLAN = "comparisons:\n  - {study: a.yaml, seeds: 1..%d}\n"
 
 
@@ -130,6 +136,33 @@ def test_batches_share_a_scheduler(batch, cluster):
         batch.write("plan.yaml", (batch.folder / f"{name}.plan").read_text())
         batch.run("--output=serial_" + name, "--workers=4")
         assert content(batch.folder / name) == content(batch.folder / f"serial_{name}")
+
+
+def test_a_batch_that_another_one_took_for_killed_goes_on(batch, cluster, monkeypatch):
+    """As one does that begins while the client of this one connects anew."""
+    monkeypatch.setattr(dask_plant, "SETUP_S", 1)
+    batch.study("a.yaml", "delay 0.1")
+    expanded = expand(read_plan(batch.write("plan.yaml", PLAN % 6)), Program(STUB))
+    store = Store.make(batch.folder / "out")
+    for digest, path in expanded.sources.items():
+        store.add_file(path, digest)
+    cluster.worker(FOURPOST_PROGRAM=str(STUB))
+    place = Workplace(str(store.folder), store.id, Program(STUB).build, str(STUB))
+    place.store = store
+    forgotten = []
+
+    def forget(tally, left):
+        with distributed.Client(scheduler_file=str(cluster.file), set_as_default=False) as client:
+            for name in plugins(cluster) if not forgotten else []:
+                client.unregister_worker_plugin(name)
+                forgotten.append(name)
+    crew = dask_crew.DaskCrew(str(cluster.file), place)
+    try:
+        tally = run_units(expanded.units, store, crew, tries=4, progress=forget)
+    finally:
+        crew.close()
+    assert forgotten and not tally.lost and tally.paid == 6 and tally.tried_again > 0
+    assert plugins(cluster) == []
 
 
 def test_ctrl_c_ends_units_that_run(batch, cluster):
