@@ -73,7 +73,7 @@ inline const Finding kPostNoiseImplausible{
 inline const Finding kCalibrationUnused{
     "calibration-unused", Severity::kWarning,
     "the data could not be asked for the calibrations; intervals take them as stated",
-    "check first whether the model lacks something, or state smaller deviations"};
+    "check first whether the model lacks something, or state smaller standard deviations"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

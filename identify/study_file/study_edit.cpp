@@ -7,6 +7,9 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "analysis/text/short_number.h"
+#include "analysis/text/units.h"
+
 namespace fourpost {
 namespace {
 
@@ -122,6 +125,20 @@ bool StudyEdit::CorrectChannels(const std::vector<std::string>& sensors, const s
   if (changes.empty()) return false;
   changes_.merge(changes);
   return true;
+}
+
+void StudyEdit::ScaleNoise(const std::vector<std::string>& sensors, double factor) {
+  const YAML::Node histories = YAML::Load(text_)["histories"];
+  if (!histories.IsDefined() || !histories.IsSequence()) return;
+  for (const YAML::Node& history : histories)
+    for (const std::string& sensor : sensors) {
+      if (!history.IsMap() || !history["noise"].IsDefined() || !history["noise"].IsMap()) continue;
+      const YAML::Node noise = history["noise"][sensor];
+      const auto stated = noise.IsDefined() && noise.IsScalar() ? ParseQuantity(noise.Scalar()) : std::nullopt;
+      if (!stated) continue;
+      const auto [begin, end] = SpanOf(noise, text_);
+      changes_[begin] = {end, FormatQuantity(AtDigits(factor * stated->si, 6), stated->unit_text)};
+    }
 }
 
 std::string StudyEdit::Text() const {

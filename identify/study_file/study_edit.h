@@ -25,6 +25,8 @@ class StudyEdit {
   /// in `channels` and in those of `histories`. False, and nothing is changed, where one of them has the key or is
   /// written in a way that cannot be extended.
   bool CorrectChannels(const std::vector<std::string>& sensors, const std::string& key, const std::string& value);
+  /// Of these sensors, where histories state it: noise of channels that are scaled.
+  void ScaleNoise(const std::vector<std::string>& sensors, double factor);
 
   std::string Text() const;
 

@@ -35,7 +35,11 @@ void Add(const std::string& study, const std::vector<std::string>& sensors, cons
   scale.words = "scale of " + name;
   scale.study = [=](double amount) {
     StudyEdit edit(study);
-    return edit.CorrectChannels(sensors, "scale", FormatNumber(AtDigits(1 + amount, 5))) ? edit.Text() : "";
+    const double factor = AtDigits(1 + amount, 5);
+    if (!edit.CorrectChannels(sensors, "scale", FormatNumber(factor))) return std::string();
+    // Else a channel would fit better the smaller it is.
+    edit.ScaleNoise(sensors, factor);
+    return edit.Text();
   };
   scale.first = 0.02;
   scale.least = -0.25;

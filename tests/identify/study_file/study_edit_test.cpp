@@ -55,6 +55,13 @@ TEST(StudyEdit, CorrectsAllChannelsOfASensor) {
   EXPECT_EQ(twice.Text(), kStudy);
 }
 
+TEST(StudyEdit, ScalesNoiseThatIsStated) {
+  const std::string study = "histories:\n  - file: a.csv\n    noise: {F: 20.6 N, a: 0.1 m/s^2}\n";
+  StudyEdit edit(study);
+  edit.ScaleNoise({"F", "s"}, 0.5);
+  EXPECT_EQ(edit.Text(), Replaced(study, "20.6 N", "10.3 N"));
+}
+
 TEST(StudyEdit, KnowsMeasuredSensors) { EXPECT_THAT(MeasuredSensors(kStudy), ElementsAre("a_body", "F")); }
 
 }  // namespace
