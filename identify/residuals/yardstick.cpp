@@ -129,7 +129,9 @@ void AddLinear(const LinearModel& model, const YardstickRecord& judged, const Ve
   };
   yardstick.order = model.arx->order;
   yardstick.one_step_nmse_percent = error(model.arx->OneStep(record));
-  yardstick.nmse_percent = error(model.arx->FreeRun(record));
+  // Worse than a constant: what was fitted for one step ahead drifts or swings off, which says nothing of the data.
+  const std::optional<double> simulated = error(model.arx->FreeRun(record));
+  if (simulated && *simulated < 100) yardstick.nmse_percent = simulated;
   yardstick.coherence = LinearShare(
       record, static_cast<Index>(std::lround(kSegment_s * judged.rate_Hz / static_cast<double>(model.stride))));
 }

@@ -61,6 +61,15 @@ TEST(Yardstick, LeavesNoiseToTheLinearModelAndToRepeats) {
   EXPECT_NE(YardstickTable({repeated}).find("repeats, %"), std::string::npos);
 }
 
+// The other way round: four times its variance are no measure of what the data allow.
+TEST(Yardstick, SaysNothingByALinearModelThatIsWorseThanAConstant) {
+  YardstickRecord turned = Station("turned", 2, 2);
+  turned.channels.front().values *= -1;
+  const HistoryMisfit misfit = Judged({Station("first", 1, 1)}, turned, 1);
+  EXPECT_FALSE(misfit.yardstick.nmse_percent);
+  EXPECT_FALSE(misfit.yardstick.Allowed_percent());
+}
+
 // Four posts in heave are one input.
 TEST(Yardstick, TakesPostsThatMoveAlikeAsOne) {
   const YardstickRecord first = Station("first", 1, 1, 4);
