@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "identify/fit/optimum.h"
 #include "identify/refine/refine.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/search/archive.h"
@@ -18,16 +18,6 @@
 namespace fourpost {
 
 struct InputNoise;
-
-/// Parameters that a fit holds although their ranges say that they are not exactly known.
-struct HeldParameters {
-  /// Places in Vehicle::parameters.
-  std::vector<std::size_t> places;
-  /// In FitVariables: of the prior, else of the range, uniform over it.
-  Eigen::VectorXd variable_sd;
-  /// d residuals / d FitVariables of them, N x held; priors of the free ones included.
-  Eigen::MatrixXd jacobian;
-};
 
 /// What the data say of an instrument that is known to a standard deviation.
 struct CalibrationEstimate {
@@ -95,29 +85,6 @@ struct Certainty {
   /// Recordings without which a parameter would leave its interval by noise, beyond what noise lets it move; with
   /// places among the free parameters.
   std::vector<Contradiction> Contradictions() const;
-};
-
-/// Of the parameters that are not free but have a range, at these values of the free ones; adds evaluations to
-/// `evaluated`. Those whose derivative cannot be evaluated are left out.
-HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
-                      int threads, const std::function<bool()>& stop, std::int64_t& evaluated);
-
-/// What is known of an objective's calibrations at an optimum, in units of their standard deviations.
-struct Calibrated {
-  /// What one standard deviation of each changes in the residuals, those of priors left out, N x calibrations.
-  Eigen::MatrixXd changes;
-  /// Of the statement and the data together.
-  Eigen::VectorXd mean;
-  Eigen::MatrixXd covariance;
-  /// By what the parameters give way to the mean, n in FitVariables.
-  Eigen::VectorXd step;
-
-  /// By the statement alone.
-  void TakeAsStated() {
-    mean.setZero();
-    covariance.setIdentity();
-    step.setZero();
-  }
 };
 
 /// Nothing where no calibration is stated or the model cannot be evaluated. `states`: see CertaintyAt(); `noise`: empty

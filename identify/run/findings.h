@@ -66,14 +66,16 @@ inline const Finding kCalibrationBeyond{
     "check first whether the model lacks something, then these instruments, and correct their 'scale' or 'delay'"};
 inline const Finding kPostNoiseImplausible{
     "post-noise-implausible", Severity::kWarning,
-    "noise of the recorded posts, as stated or as the residuals show it, would move the fit further than noise can; "
-    "its "
-    "bias was not corrected",
-    "correct the 'noise' of the posts; if it is right, add what the vehicle lacks, see `fourpost suggest`"};
+    "the noise of the recorded posts, as stated or estimated, would shift the parameters by more than noise can; the "
+    "shift "
+    "was not corrected",
+    "correct the 'noise' of the posts; if it is right, the vehicle lacks something, see `fourpost suggest`"};
 inline const Finding kCalibrationUnused{
     "calibration-unused", Severity::kWarning,
-    "the data could not be asked for the calibrations; intervals take them as stated",
-    "check first whether the model lacks something, or state smaller standard deviations"};
+    "the calibrations could not be estimated from the data; the intervals use their stated standard deviations where "
+    "the "
+    "model can be evaluated with them",
+    "check whether the vehicle lacks something, or state smaller standard deviations"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

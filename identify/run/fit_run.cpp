@@ -276,7 +276,7 @@ class Fitter {
     if (!request_.name_missing || fit.end != FitEnd::kConverged || !loaded.HasDeviations()) return std::nullopt;
     const bool is_contradicted = fit.certainty && fit.certainty->model_error.is_significant;
     if (!IsLarge(fit) && !is_contradicted) return std::nullopt;
-    // Additions would imitate it: they change what the model makes of it.
+    // Additions would imitate that noise.
     if (fit.IsMostlyInputNoise()) return std::nullopt;
     // A fit is not lost by what comes after it.
     try {

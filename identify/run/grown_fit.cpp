@@ -61,7 +61,7 @@ class Grower {
     grown_.folder = request_.output;
     grown_.steps.push_back(first);
     WritePath();
-    grown_.end = std::to_string(kMostSteps) + " additions are enough";
+    grown_.end = "the limit of " + std::to_string(kMostSteps) + " additions was reached";
     for (int round = 0; round < kMostSteps && !hooks_.work.IsStopped(); ++round) {
       const std::optional<fs::path> next = TryToGrow(study);
       if (!next) break;
@@ -110,7 +110,8 @@ class Grower {
     } catch (const OutputError&) {
       throw;
     } catch (const std::exception& failure) {
-      grown_.end = failure.what();
+      grown_.end = "an addition could not be made";
+      hooks_.work.Note(grown_.end + ": " + failure.what());
       return std::nullopt;
     }
   }

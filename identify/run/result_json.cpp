@@ -295,7 +295,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"cost", NumberOrNull(fit.cost)},
                {"residuals", fit.residual_count},
                {"misfit", NumberOrNull(fit.Misfit())},
-               {"post_noise_share", fit.data_squares > 0 ? fit.input_noise_squares / fit.data_squares : 0},
+               {"post_noise_share", fit.InputNoiseShare()},
                {"seed", seed},
                {"evaluations", Evaluations(fit.evaluations)},
                {"search", Search(fit)},

@@ -45,7 +45,7 @@ void RequireCost(const nlohmann::json& result, double cost, const std::filesyste
 RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hooks) {
   const nlohmann::json result = ReadResultFile(request.run / "result.json");
   RunSuggestions run{.study = LoadSoundStudy(request.study)};
-  if (constexpr double kMost = 0.5; result.value("post_noise_share", 0.0) > kMost) {
+  if (result.value("post_noise_share", 0.0) > kMostlyInputNoise) {
     Diagnostics noise;
     noise.Report(kSuggestPostNoise, {(request.run / "result.json").string()});
     hooks.Find(noise);

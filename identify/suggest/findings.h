@@ -11,7 +11,7 @@ inline const Finding kSuggestPointFailed{"suggest-point-failed", Severity::kErro
 
 inline const Finding kSuggestPostNoise{
     "suggest-post-noise", Severity::kWarning,
-    "most of the residuals is noise of the recorded posts, and additions may only imitate it",
+    "noise of the recorded posts makes up most of the residuals, and additions may only imitate it",
     "record the posts with less noise, or take their commanded motion"};
 
 }  // namespace fourpost

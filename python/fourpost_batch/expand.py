@@ -73,14 +73,14 @@ class _Expansion:
     def _look(self) -> None:
         studies = self._files("study")
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            looks = [pool.submit(look.inputs_of, self.program, study) for study in studies]
+            of_studies = [pool.submit(look.inputs_of, self.program, study) for study in studies]
             recordings = self._files("recordings")
-            heard = [pool.submit(look.channels_of, self.program, recording) for recording in recordings]
-            for study, seen in zip(studies, looks):
-                self.inputs[study], faults = seen.result()
+            of_recordings = [pool.submit(look.channels_of, self.program, recording) for recording in recordings]
+            for study, inputs in zip(studies, of_studies):
+                self.inputs[study], faults = inputs.result()
                 self.findings += faults
-            for recording, told in zip(recordings, heard):
-                self.channels[recording], faults = told.result()
+            for recording, channels in zip(recordings, of_recordings):
+                self.channels[recording], faults = channels.result()
                 self.findings += faults
             fits = [(entry, study) for entry in self.plan.of("fits") for study in entry["study"]]
             names = [pool.submit(look.refused_parameters, self.program, self.inputs[study], entry.get("set") or {},

@@ -23,7 +23,7 @@ from .work import Workplace
 RANKS = (("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMIX_NAMESPACE"), ("PMI_RANK", "PMI_SIZE", "PMI_JOBID"),
          ("PMIX_RANK", "PMIX_SIZE", "PMIX_NAMESPACE"),
          ("SLURM_PROCID", "SLURM_NTASKS", "SLURM_JOB_ID", "SLURM_STEP_ID", "SLURM_RESTART_COUNT"))
-"""Variables of the number of a worker and of all; the others tell one start of workers from the next."""
+"""Variables of the number of a worker and of all; the others distinguish one start of workers from the next."""
 SIGHT_S = 10
 """How long a shared folder may hide what another machine has written."""
 

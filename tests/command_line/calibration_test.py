@@ -3,10 +3,9 @@ import csv
 import json
 import random
 import re
-import statistics
 import unittest
 
-from program import ProgramTest
+from program import ProgramTest, add_noise
 
 STATED = """calibration:
   gain: {accelerometers: 2 %, posts: 1 %, load_cells: 1 %}
@@ -94,19 +93,9 @@ class Calibration(ProgramTest):
         """That noise moves the fit beside the optimum on purpose; the data must not pull the gains back by it."""
         self.run_program("simulate", "truth/vehicle.urdf", "--random", "4mm", "--duration", "20s", "--rate", "200Hz",
                          "--engine", "reduced", "--seed", "3", "-o", "clean.csv")
-        with open(self.folder / "clean.csv", newline="") as file:
-            names, units, *rows = csv.reader(file)
-        columns = [list(map(float, column)) for column in zip(*rows)]
-        draw = random.Random(6)
-        noise = {}
-        for name, unit, column in zip(names[1:], units[1:], columns[1:]):
-            sd = 0.005 * statistics.pstdev(column)
-            column[:] = [value + draw.gauss(0, sd) for value in column]
-            noise[name] = f"{sd:.6g} {unit}"
-        with open(self.folder / "recording.csv", "w", newline="") as file:
-            csv.writer(file).writerows([names, units, *zip(*columns)])
-        post = next(name for name in names if name.startswith("post_"))
-        sensors = [name for name in names[1:] if name != post]
+        noise = add_noise(self.folder / "clean.csv", self.folder / "recording.csv", 0.005, seed=6)
+        post = next(name for name in noise if name.startswith("post_"))
+        sensors = [name for name in noise if name != post]
         self.write("study.yaml", "\n".join([
             "vehicle: truth/vehicle.urdf", "histories:", "  - file: recording.csv",
             f"    posts: {{{post[5:]}: {post}}}", f"    channels: {{{', '.join(f'{name}: {name}' for name in sensors)}}}",

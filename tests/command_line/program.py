@@ -1,9 +1,12 @@
 """Runs the program as a user does: FOURPOST names it, in a folder that goes with the test."""
+import csv
 import math
 import os
 import pathlib
+import random
 import shutil
 import sqlite3
+import statistics
 import struct
 import subprocess
 import tempfile
@@ -69,6 +72,25 @@ class Archive:
                 return cls(copy).evaluations
             except sqlite3.DatabaseError:
                 return 0
+
+
+def add_noise(clean, noisy, share, seed):
+    """A copy of a recording with white noise on all its channels, posts too: `share` of their standard deviations.
+
+    Returns these of each channel, with their units.
+    """
+    with open(clean, newline="") as file:
+        names, units, *rows = csv.reader(file)
+    columns = [list(map(float, column)) for column in zip(*rows)]
+    draw = random.Random(seed)
+    added = {}
+    for name, unit, column in zip(names[1:], units[1:], columns[1:]):
+        sd = share * statistics.pstdev(column)
+        column[:] = [value + draw.gauss(0, sd) for value in column]
+        added[name] = f"{sd:.6g} {unit}"
+    with open(noisy, "w", newline="") as file:
+        csv.writer(file).writerows([names, units, *zip(*columns)])
+    return added
 
 
 class ProgramTest(unittest.TestCase):

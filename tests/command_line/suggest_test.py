@@ -11,7 +11,7 @@ import unittest
 
 import jsonschema
 
-from program import FOURPOST, SOURCE, ProgramTest
+from program import FOURPOST, SOURCE, ProgramTest, add_noise
 
 sys.path.insert(0, str(SOURCE / "tests/validation"))
 import random_stations  # noqa: E402
@@ -104,6 +104,26 @@ class Suggest(ProgramTest):
         # Nor is there one of that number.
         answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=2)
         self.assert_finding(answer.stderr, "suggestion-unknown")
+
+    def test_takes_no_noise_of_posts_for_physics(self):
+        """An exact model, 1 % of noise on every channel, on the posts as well."""
+        self.run_program("simulate", SOURCE / "urdf/quarter_car.urdf", "--road", "C", "--speed", "50km/h", "--duration", "20s",
+                         "--rate", "200Hz", "--engine", "reduced", "--seed", "7", "-o", "clean.csv")
+        noise = add_noise(self.folder / "clean.csv", self.folder / "recording.csv", 0.01, seed=3)
+        self.write("study.yaml", "\n".join([
+            f"vehicle: {SOURCE / 'urdf/quarter_car.urdf'}", "histories:", "  - file: recording.csv",
+            "    posts: {post: post_post}",
+            f"    channels: {{{', '.join(f'{name}: {name}' for name in noise if name != 'post_post')}}}",
+            "model_error: {history: 1 %}", "search: {evaluations: 20, starts: 1}", ""]))
+        self.fit("study.yaml", "run")
+        result = json.loads((self.folder / "run/result.json").read_text())
+        # Noise is known to some per cent.
+        self.assertAlmostEqual(result["misfit"], 1, delta=0.15)
+        self.assertGreater(result["post_noise_share"], 0.5)
+        self.assertIsNone(result["missing"])
+        self.assertNotIn("missing", " ".join(one["limited_by"] for one in result["parameters"]))
+        answer = self.run_program("suggest", "run", "--study", "study.yaml")
+        self.assert_finding(answer.stderr, "suggest-post-noise", "run/result.json")
 
     def test_fit_grows(self):
         self.record(FRICTION)

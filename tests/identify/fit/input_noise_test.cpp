@@ -62,6 +62,11 @@ TEST(InputNoise, TakesBackWhatItMovedTheOptimumBy) {
   EXPECT_NEAR(fit.parameters[0].value, kTrue, 0.015);
   EXPECT_GT(fit.evaluations_beside, 0);
   EXPECT_FALSE(fit.is_input_noise_implausible);
+  // p s at every sample, by chance to 1 %; nothing else is in the residuals.
+  const double squares = plain * plain * kNoise * kNoise * kSamples;
+  EXPECT_NEAR(fit.input_noise_squares, squares, 0.03 * squares);
+  EXPECT_TRUE(fit.IsMostlyInputNoise());
+  EXPECT_NEAR(fit.Misfit(), std::sqrt(fit.data_squares / (squares + kSamples)), 0.003);
 }
 
 // As where what the model lacks was taken for noise: of five times the size of the motion.

@@ -36,6 +36,14 @@ TEST(FitVerdict, NamesAChannelThatIsWorseThanAConstant) {
   EXPECT_THAT(ConclusionsOf({}, verdict, true), Reports(kModelUnexplaining, 0, {"'s_rear'", "240 %"}));
 }
 
+TEST(FitVerdict, NamesWhatCouldNotBeTakenIntoAccount) {
+  FitResult fit;
+  fit.is_input_noise_implausible = fit.are_calibrations_unused = true;
+  const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
+  EXPECT_THAT(conclusions, Reports(kPostNoiseImplausible, 0));
+  EXPECT_THAT(conclusions, Reports(kCalibrationUnused, 0));
+}
+
 TEST(FitVerdict, DoesNotJudgeAFitThatWasInterrupted) {
   std::vector<ErrorShare> misfits;
   misfits = {Share("s_rear", "bounce", 1, 240)};

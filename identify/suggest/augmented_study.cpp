@@ -1,0 +1,97 @@
+#include "identify/suggest/augmented_study.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/process/deadline.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+
+using Eigen::Index;
+
+std::string FirstErrorOf(const Diagnostics& diagnostics) {
+  for (const Diagnostic& item : diagnostics.items())
+    if (item.severity == Severity::kError) return item.message;
+  return "";
+}
+
+AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& addition)
+    : study_(study), addition_(addition) {
+  if (addition.study) return;
+  vehicle_ = study.vehicle;
+  if (!addition.vehicle.empty()) {
+    Diagnostics findings;
+    std::optional<Vehicle> vehicle = ReadVehicleText(addition.vehicle, study.vehicle.file, findings);
+    if (!vehicle) throw FaultyInput(findings);
+    vehicle_ = *std::move(vehicle);
+  }
+  for (const std::size_t i : study.free) free_.push_back(PlaceOf(study.vehicle.parameters[i].name));
+  for (const std::string& name : addition.parameters) {
+    free_.push_back(PlaceOf(name));
+    // A prior would add a residual; what the data say alone is the question.
+    vehicle_.parameters[free_.back()].prior_sd.reset();
+  }
+  const Subject subject(vehicle_, free_, study.study.file, study.study.search.deadline_s);
+  std::vector<ResidualBlock> blocks;
+  for (const Experiment& experiment : study.study.experiments)
+    if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
+  // Priors are those of the study: of new parameters nothing is known.
+  objective_.emplace(vehicle_, free_, std::move(blocks));
+}
+
+std::optional<Eigen::VectorXd> AugmentedStudy::At(double amount, const Eigen::VectorXd& values) const {
+  if (addition_.study) return OfStudy(amount, values);
+  const std::vector<double> added = addition_.values(amount);
+  Eigen::VectorXd all(values.size() + static_cast<Index>(added.size()));
+  all.head(values.size()) = values;
+  for (std::size_t i = 0; i < added.size(); ++i) all[values.size() + static_cast<Index>(i)] = added[i];
+  return Evaluated(*objective_, all);
+}
+
+std::size_t AugmentedStudy::PlaceOf(const std::string& name) const {
+  for (std::size_t i = 0; i < vehicle_.parameters.size(); ++i)
+    if (vehicle_.parameters[i].name == name) return i;
+  throw std::logic_error("AugmentedStudy: no parameter " + name);
+}
+
+std::optional<Eigen::VectorXd> AugmentedStudy::Evaluated(const VehicleObjective& objective,
+                                                         const Eigen::VectorXd& values) const {
+  try {
+    const Evaluation evaluation = objective.Evaluate(values, Deadline::In(study_.study.search.deadline_s));
+    if (evaluation.ok() && evaluation.residuals.allFinite()) return evaluation.residuals;
+    failure_ = evaluation.ok() ? "residuals are not finite" : evaluation.detail;
+  } catch (const TimedOut& late) {
+    failure_ = late.what();
+  } catch (const std::invalid_argument& unfit) {
+    // Process noise is stated for each coordinate, and a part of its own has more.
+    failure_ = unfit.what();
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::VectorXd> AugmentedStudy::OfStudy(double amount, const Eigen::VectorXd& values) const {
+  const std::string text = addition_.study(amount);
+  failure_ = "the study cannot state it";
+  if (text.empty()) return std::nullopt;
+  Diagnostics findings;
+  std::optional<Study> study = ReadStudyText(text, study_.study.file, findings);
+  if (!study) return std::nullopt;
+  LoadedStudy loaded{.study = *std::move(study), .vehicle = study_.vehicle, .free = study_.free};
+  const Subject subject = loaded.MakeSubject();
+  auto fitted = study_.study.experiments.begin();
+  for (Experiment& experiment : loaded.study.experiments) {
+    experiment.LeaveOutValidation();
+    experiment.Load(subject, findings);
+    experiment.CorrectAs(*fitted);
+    ++fitted;
+  }
+  if (findings.HasErrors()) {
+    failure_ = FirstErrorOf(findings);
+    return std::nullopt;
+  }
+  loaded.Prepare();
+  return Evaluated(loaded.MakeObjective(), values);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/residuals/vehicle_objective.h"
+#include "identify/study/loaded_study.h"
+#include "identify/suggest/addition.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// The first error's message; empty without one.
+std::string FirstErrorOf(const Diagnostics& diagnostics);
+
+/// A study's objective with one addition in it. Both must outlive it.
+class AugmentedStudy {
+ public:
+  /// Throws FaultyInput where the vehicle cannot be read, assembled or held.
+  AugmentedStudy(const LoadedStudy& study, const Addition& addition);
+
+  /// Residuals; nothing where they cannot be evaluated. `values`: of the study's free parameters. Not from several
+  /// threads at once.
+  std::optional<Eigen::VectorXd> At(double amount, const Eigen::VectorXd& values) const;
+
+  /// Why the last evaluation that failed did.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::size_t PlaceOf(const std::string& name) const;
+  std::optional<Eigen::VectorXd> Evaluated(const VehicleObjective& objective, const Eigen::VectorXd& values) const;
+  std::optional<Eigen::VectorXd> OfStudy(double amount, const Eigen::VectorXd& values) const;
+
+  const LoadedStudy& study_;
+  const Addition& addition_;
+  Vehicle vehicle_;
+  std::vector<std::size_t> free_;
+  std::optional<VehicleObjective> objective_;
+  mutable std::string failure_;
+};
+
+}  // namespace fourpost
