@@ -70,10 +70,6 @@ class Convergence {
   double before_ = 0;
 };
 
-bool HasFriction(const std::vector<Port>& ports) {
-  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
-}
-
 }  // namespace
 
 FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const std::vector<double>& shape,
@@ -84,8 +80,8 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
       full_(multibody, model),
       contact_(model, shape, {.tolerance = options.tolerance}),
       fine_{std::max(options.harmonics, options.fine_harmonics), std::max(options.samples, options.fine_samples)},
-      coarse_(HasFriction(cycle().ports()) ? Sampling{fine_.harmonics / 2, fine_.samples / 2}
-                                           : Sampling{options.harmonics, options.samples}) {
+      coarse_(cycle().has_friction() ? Sampling{fine_.harmonics / 2, fine_.samples / 2}
+                                     : Sampling{options.harmonics, options.samples}) {
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   stiffness_ = linear.stiffness.diagonal().cwiseAbs();
   mass_ = Eigen::VectorXd::Zero(linear.size());

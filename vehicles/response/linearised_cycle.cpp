@@ -19,12 +19,23 @@ int HarmonicsOf(std::size_t level) { return (4 << level) + 1; }
 /// of both.
 int SamplesOf(std::size_t level, bool has_steps) { return has_steps ? (28 << level) + 4 : 4 * HarmonicsOf(level) + 4; }
 
+bool HasFriction(const std::vector<Port>& ports) {
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
+}
+
 /// Friction does, and vapour that collapses in a hydraulic damper.
 bool HasSteps(const std::vector<Port>& ports) {
-  return std::any_of(ports.begin(), ports.end(), [](const Port& port) {
-    return std::isfinite(StepOfRate(port.law)) || std::holds_alternative<HydraulicRemainder>(port.law);
-  });
+  return HasFriction(ports) || std::any_of(ports.begin(), ports.end(), [](const Port& port) {
+           return std::holds_alternative<HydraulicRemainder>(port.law);
+         });
 }
+
+/// See HarmonicBalanceOptions::few_harmonics.
+constexpr int kFew = 9;
+constexpr int kFewWithFriction = 17;
+/// Level that has these.
+constexpr std::size_t kFewLevel = 1;
+constexpr std::size_t kFewLevelWithFriction = 2;
 
 }  // namespace
 
@@ -36,6 +47,7 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
       ports_(std::move(ports)),
       receptance_(model, ports_, shape),
       has_memory_(std::any_of(ports_.begin(), ports_.end(), [](const Port& port) { return UsesExtension(port.law); })),
+      has_friction_(HasFriction(ports_)),
       has_steps_(HasSteps(ports_)),
       left_(has_steps_ ? 1 : 0.5),
       root_mass_(model.mass.diagonal().cwiseSqrt()) {
@@ -97,9 +109,10 @@ bool LinearisedCycle::TrySolve(const Eigen::MatrixXcd& given) {
   Eigen::MatrixXcd start = driven_;
   if (given.size() > 0) start = given;
   else if (has_memory_ && solved_before_) start = cycle().extension();
+  if (ports_.empty()) return SolveLevel(0, start, options_.tolerance);
+  if (options_.few_harmonics) return SolveWithFew(start);
   // Two below what the last frequency needed, so that fewer may do again.
   std::size_t level = level_ > 2 ? level_ - 2 : 0;
-  if (ports_.empty()) return SolveLevel(level, start, options_.tolerance);
   // No need to know better what more harmonics will change.
   const double rough = std::max(options_.tolerance, options_.error);
   if (!SolveLevel(level, start, rough)) return false;
@@ -110,6 +123,22 @@ bool LinearisedCycle::TrySolve(const Eigen::MatrixXcd& given) {
     if (left_ * Change(before, now) <= options_.error && cycle().ResolvesSteps()) return true;
   }
   return false;
+}
+
+/// With samples that resolve friction at this amplitude. That takes a rough solution only.
+bool LinearisedCycle::SolveWithFew(const Eigen::MatrixXcd& start) {
+  if (!has_friction_) return SolveLevel(kFewLevel, start, options_.tolerance);
+  constexpr double kRough = 0.05;
+  std::size_t level = std::max(kFewLevelWithFriction, level_ > 0 ? level_ - 1 : 0);
+  if (!SolveLevel(level, start, kRough)) return false;
+  while (true) {
+    while (!cycle().ResolvesSteps()) {
+      if (HarmonicsOf(level + 1) > options_.most_harmonics) return false;
+      if (!SolveLevel(++level, cycle().extension(), kRough)) return false;
+    }
+    if (!SolveLevel(level, cycle().extension(), options_.tolerance)) return false;
+    if (cycle().ResolvesSteps()) return true;
+  }
 }
 
 /// By way of other amplitudes, each from the solution of the one before.
@@ -127,9 +156,14 @@ bool LinearisedCycle::SolveByWayOf(const std::vector<double>& shares) {
   return solved_before_;
 }
 
+int LinearisedCycle::MostHarmonicsOf(std::size_t level) const {
+  if (!options_.few_harmonics) return HarmonicsOf(level);
+  return std::min(HarmonicsOf(level), has_friction_ ? kFewWithFriction : kFew);
+}
+
 bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance) {
   while (levels_.size() <= level)
-    levels_.push_back(std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()),
+    levels_.push_back(std::make_unique<PortCycle>(ports_, receptance_, MostHarmonicsOf(levels_.size()),
                                                   SamplesOf(levels_.size(), has_steps_)));
   level_ = level;
   const bool converged =

@@ -47,6 +47,7 @@ class LinearisedCycle {
   const Eigen::MatrixXcd& remainder() const { return cycle().remainder(); }
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const { return cycle().RemainderBy(transform); }
   const std::vector<Port>& ports() const { return ports_; }
+  bool has_friction() const { return has_friction_; }
   /// Motion of the linear vehicle under forces on [s x] at this frequency, harmonics in rows.
   Eigen::MatrixXcd MotionBy(const Eigen::MatrixXcd& forces) const { return receptance_.MotionBy(omega_, forces); }
   /// Its ports.
@@ -71,7 +72,9 @@ class LinearisedCycle {
 
  private:
   bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance);
+  int MostHarmonicsOf(std::size_t level) const;
   bool TrySolve(const Eigen::MatrixXcd& given = {});
+  bool SolveWithFew(const Eigen::MatrixXcd& start);
   bool SolveByWayOf(const std::vector<double>& shares);
   void SetAmplitude(double amplitude_m);
   /// Sensor readings of motions [s x] in columns, each at its frequency w; the posts' direct part is separate.
@@ -97,6 +100,7 @@ class LinearisedCycle {
   std::size_t level_ = 0;
   /// Whether a solution depends on where the iteration starts.
   bool has_memory_ = false;
+  bool has_friction_ = false;
   bool has_steps_ = false;
   /// Upper bound of the error after the last doubling, as a share of its change. Harmonics of a kinked force fall with
   /// their square, their effect on the motion faster: a doubling leaves an eighth to a third of the error.

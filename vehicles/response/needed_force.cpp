@@ -17,15 +17,6 @@ CondensedModel Held(CondensedModel model) {
   return model;
 }
 
-/// Enough that friction takes its step within a sample at any usual speed.
-int SamplesFor(const std::vector<Port>& ports) {
-  constexpr int kSmooth = 4 * NeededForce::kHarmonics + 4;
-  constexpr int kStepped = 1024;
-  const bool has_steps =
-      std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
-  return has_steps ? kStepped : kSmooth;
-}
-
 }  // namespace
 
 NeededForce::NeededForce(const CondensedModel& model, const std::vector<double>& shape)
@@ -33,8 +24,32 @@ NeededForce::NeededForce(const CondensedModel& model, const std::vector<double>&
       shape_(Eigen::Map<const Eigen::VectorXd>(shape.data(), static_cast<Eigen::Index>(shape.size()))),
       vehicle_(model, LinearVehicle::Rates::kCentre),
       ports_(PortsOf(model)),
-      held_(Held(model), ports_, shape),
-      cycle_(ports_, held_, kHarmonics, SamplesFor(ports_)) {}
+      held_(Held(model), ports_, shape) {}
+
+int NeededForce::SamplesFor(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) const {
+  constexpr int kSmooth = 4 * kHarmonics + 4;
+  constexpr int kMost = 24 * kSmooth;
+  const double omega = 2 * std::numbers::pi * frequency_Hz;
+  const Eigen::MatrixXcd driven = Driven(WithSeries(omega, motion), posts);
+  const Eigen::VectorXd orders = Eigen::VectorXd::LinSpaced(driven.rows(), 0, static_cast<double>(driven.rows() - 1));
+  int samples = kSmooth;
+  for (std::size_t j = 0; j < ports_.size(); ++j) {
+    const double greatest = omega * driven.col(static_cast<Eigen::Index>(j)).cwiseAbs().dot(orders);
+    const double per_sample = 2 * std::numbers::pi * greatest;
+    while (samples < kMost && per_sample > samples * StepOfRate(ports_[j].law)) samples *= 2;
+  }
+  return samples;
+}
+
+Eigen::MatrixXcd NeededForce::Driven(const Eigen::MatrixXcd& linear, std::complex<double> posts) const {
+  Eigen::MatrixXcd driven(linear.rows(), static_cast<Eigen::Index>(ports_.size()));
+  for (std::size_t j = 0; j < ports_.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    driven.col(column) = linear * ports_[j].direction.cast<Complex>();
+    if (ports_[j].post >= 0) driven(1, column) += shape_[ports_[j].post] * posts;
+  }
+  return driven;
+}
 
 Eigen::MatrixXcd NeededForce::WithSeries(double omega, const Eigen::MatrixXcd& motion) const {
   const Eigen::Index n = model_.mass.rows();
@@ -53,22 +68,18 @@ Eigen::MatrixXcd NeededForce::WithSeries(double omega, const Eigen::MatrixXcd& m
 }
 
 std::optional<Eigen::VectorXcd> NeededForce::At(double frequency_Hz, std::complex<double> posts,
-                                                const Eigen::MatrixXcd& motion) {
+                                                const Eigen::MatrixXcd& motion, int samples) {
   constexpr double kTolerance = 1e-6;
   constexpr int kMostIterations = 60;
   const double omega = 2 * std::numbers::pi * frequency_Hz;
   const Eigen::Index n = model_.mass.rows();
   const Eigen::Index series = vehicle_.series();
   const Eigen::MatrixXcd linear = WithSeries(omega, motion);
-  Eigen::MatrixXcd driven(linear.rows(), static_cast<Eigen::Index>(ports_.size()));
-  for (std::size_t j = 0; j < ports_.size(); ++j) {
-    const auto column = static_cast<Eigen::Index>(j);
-    driven.col(column) = linear * ports_[j].direction.cast<Complex>();
-    if (ports_[j].post >= 0) driven(1, column) += shape_[ports_[j].post] * posts;
-  }
-  if (!cycle_.Solve(omega, driven, driven, kTolerance, kMostIterations)) return std::nullopt;
+  const Eigen::MatrixXcd driven = Driven(linear, posts);
+  PortCycle& cycle = cycles_.try_emplace(samples, ports_, held_, kHarmonics, samples).first->second;
+  if (!cycle.Solve(omega, driven, driven, kTolerance, kMostIterations)) return std::nullopt;
   Eigen::VectorXcd tensions = Eigen::VectorXcd::Zero(driven.cols());
-  if (driven.cols() > 0) tensions = cycle_.remainder().row(1).transpose();
+  if (driven.cols() > 0) tensions = cycle.remainder().row(1).transpose();
   const Eigen::VectorXcd forces = held_.directions().cast<Complex>() * tensions;
   const Eigen::MatrixXcd impedance = vehicle_.Impedance(omega);
   Eigen::VectorXcd all = linear.row(1).transpose();

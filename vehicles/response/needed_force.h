@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -30,9 +31,19 @@ class NeededForce {
 
   /// `motion`: harmonics 0, 1, .. of s in rows; any number of them, the others are zero. `posts`: complex amplitude of
   /// the reference post [m]. Empty where a series damper has no periodic motion.
-  std::optional<Eigen::VectorXcd> At(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion);
+  std::optional<Eigen::VectorXcd> At(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) {
+    return At(frequency_Hz, posts, motion, SamplesFor(frequency_Hz, posts, motion));
+  }
+  /// With as many samples per cycle as for another motion or model: so that differences are not those of sampling.
+  std::optional<Eigen::VectorXcd> At(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion,
+                                     int samples);
+
+  /// Enough that friction takes its step in more than one sample.
+  int SamplesFor(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) const;
 
  private:
+  /// Extensions of the ports without nonlinear forces.
+  Eigen::MatrixXcd Driven(const Eigen::MatrixXcd& linear, std::complex<double> posts) const;
   /// Of all harmonics, for motion s, with the series springs' extensions as in the linear vehicle: [s x].
   Eigen::MatrixXcd WithSeries(double omega, const Eigen::MatrixXcd& motion) const;
 
@@ -42,7 +53,8 @@ class NeededForce {
   std::vector<Port> ports_;
   /// With coordinates that no force moves.
   Receptance held_;
-  PortCycle cycle_;
+  /// By their samples.
+  std::map<int, PortCycle> cycles_;
 };
 
 }  // namespace fourpost

@@ -58,6 +58,8 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
       uses_extension_(
           std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); })) {
   for (const Port& port : ports) kinks_.push_back(KinksOf(port.law));
+  has_friction_ =
+      std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
   has_memory_ = std::any_of(ports.begin(), ports.end(),
                             [](const Port& port) { return std::holds_alternative<HydraulicRemainder>(port.law); });
   remainder_time_.setZero(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
@@ -65,41 +67,49 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
 
 bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
                       int max_iterations, const Deadline& deadline) {
+  // For many motions at one frequency.
+  if (omega != omega_) receptance_.Ports(omega, harmonics(), ports_receptance_);
   omega_ = omega;
   Resize(driven, harmonics(), driven_);
   // The start may be this cycle's own solution.
   if (&start != &extension_) Resize(start, harmonics(), extension_);
-  receptance_.Ports(omega, harmonics(), ports_receptance_);
   iterations_ = 0;
   FindRemainders();
   if (ports_.empty()) return true;
   std::optional<AndersonAcceleration> acceleration;
-  Method method = IsTouched() ? Newton() : Method::kPlain;
+  preconditioner_.reset();
+  Method method = FirstMethod();
   // The last two sizes: motion and its reaction may take turns.
   double before = 0;
   double earlier = 0;
   while (true) {
-    const double change = FindStep() / SizeOf(extension_);
+    double change = FindStep() / SizeOf(extension_);
     if (!std::isfinite(change)) return false;
     if (IsEnough(change, earlier, method, tolerance)) return true;
+    if (method == Method::kAnderson && IsEnough(change = Precondition(), earlier, method, tolerance)) return true;
     if (iterations_ == max_iterations) return false;
     ++iterations_;
     deadline.Check();
-    constexpr double kGrowth = 4;
-    if (method == Method::kPlain && iterations_ > 1 && change > kGrowth * before) method = Newton();
-    if (method == Method::kPlain && iterations_ > 3) method = Choose(change, earlier, tolerance);
+    if (method == Method::kPlain && (method = Choose(change, before, earlier, tolerance)) == Method::kAnderson)
+      Precondition();
     earlier = std::exchange(before, change);
     switch (method) {
       case Method::kPlain: extension_ += step_; break;
       case Method::kNewton: TakeNewtonStep(); continue;
       case Method::kAnderson:
         if (!acceleration) acceleration.emplace(kHistory);
-        if (has_memory_) step_ = NewtonStep(*this, step_, NewtonRows());
         AndersonStep(*acceleration);
         break;
     }
     FindRemainders();
   }
+}
+
+/// The plain iteration may leave the motion that it starts from where a knee, a stop or a lift takes part, and hardly
+/// moves where friction does.
+PortCycle::Method PortCycle::FirstMethod() const {
+  if (IsTouched()) return Newton();
+  return has_friction_ ? Method::kAnderson : Method::kPlain;
 }
 
 /// What is left of an iteration that shrinks steps by r is the step's share r / (1 - r). The other methods are taken
@@ -111,12 +121,29 @@ bool PortCycle::IsEnough(double change, double earlier, Method method, double to
   return change * ratio <= tolerance * (1 - ratio);
 }
 
-/// `change`: relative size of a step of the plain iteration; `earlier`: of that two steps before.
-PortCycle::Method PortCycle::Choose(double change, double earlier, double tolerance) const {
+/// `change`: relative size of a step of the plain iteration; `before`, `earlier`: of the last two.
+PortCycle::Method PortCycle::Choose(double change, double before, double earlier, double tolerance) const {
+  constexpr double kGrowth = 4;
+  if (iterations_ > 1 && change > kGrowth * before) return Newton();
+  if (iterations_ <= 3) return Method::kPlain;
   // What some steps of the other methods cost.
   constexpr double kPatience = 20;
   const double left = 2 * std::log(change / tolerance) / std::log(earlier / change);
   return left > 0 && left < kPatience ? Method::kPlain : Newton();
+}
+
+/// Makes the plain iteration's step one of Newton's method, roughly; returns its relative size.
+double PortCycle::Precondition() {
+  // Slopes change little from there on.
+  constexpr double kNear = 0.1;
+  if (has_memory_) {
+    step_ = NewtonStep(*this, step_, NewtonRows());
+  } else {
+    if (!preconditioner_ || preconditioned_ > kNear) preconditioner_.emplace(*this);
+    step_ = preconditioner_->Of(step_);
+  }
+  preconditioned_ = SizeOf(step_) / SizeOf(extension_);
+  return preconditioned_;
 }
 
 /// Newton's method, or what stands in for it.
@@ -134,7 +161,7 @@ Eigen::Index PortCycle::NewtonRows() const {
   return std::min(extension_.rows(), (most / std::max<Eigen::Index>(active, 1) + 1) / 2);
 }
 
-/// Whether a knee, a stop or a lift takes part: then the plain iteration may leave the motion that it starts from.
+/// Whether a knee, a stop or a lift takes part.
 bool PortCycle::IsTouched() const {
   for (std::size_t j = 0; j < ports_.size(); ++j)
     if (UsesExtension(ports_[j].law) && !remainder_.col(static_cast<Eigen::Index>(j)).isZero(0)) return true;

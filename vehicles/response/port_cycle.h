@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,6 +10,7 @@
 #include "vehicles/condensed/port.h"
 #include "vehicles/condensed/receptance.h"
 #include "vehicles/response/cycle_transform.h"
+#include "vehicles/response/mean_slope_step.h"
 
 namespace fourpost {
 
@@ -18,9 +20,9 @@ namespace fourpost {
 /// R: harmonics of the nonlinear forces at the signals of E, sampled over the cycle.
 ///
 /// Fixed-point iteration is used while it converges fast, as for dashpots whose rates differ little. Otherwise, for
-/// knees, stops, lift-off, friction and hydraulic dampers, Newton's method with the slopes of the nonlinear forces. If
-/// the number of harmonics makes its matrix too costly, Anderson acceleration: of the fixed-point iteration, or with a
-/// hydraulic damper of Newton's method for the lowest harmonics.
+/// knees, stops, lift-off and hydraulic dampers, Newton's method with the slopes of the nonlinear forces. If the number
+/// of harmonics makes its matrix too costly, and for friction, Anderson acceleration of steps with the means of the
+/// slopes (MeanSlopeStep), or with a hydraulic damper of Newton's method for the lowest harmonics.
 class PortCycle {
  public:
   /// Both must outlive this object.
@@ -77,7 +79,9 @@ class PortCycle {
   double SizeOf(const Eigen::MatrixXcd& extension) const;
   enum class Method { kPlain, kNewton, kAnderson };
   static bool IsEnough(double change, double earlier, Method method, double tolerance);
-  Method Choose(double change, double earlier, double tolerance) const;
+  Method FirstMethod() const;
+  Method Choose(double change, double before, double earlier, double tolerance) const;
+  double Precondition();
   Method Newton() const;
   bool IsTouched() const;
   void TakeNewtonStep();
@@ -93,6 +97,7 @@ class PortCycle {
   const CycleTransform& steps_;
   bool uses_extension_ = false;
   bool has_memory_ = false;
+  bool has_friction_ = false;
   double omega_ = 0;
   int iterations_ = 0;
   Eigen::MatrixXcd driven_;
@@ -100,6 +105,8 @@ class PortCycle {
   Eigen::MatrixXcd extension_;
   Eigen::MatrixXcd remainder_;
   Eigen::MatrixXcd step_;
+  std::optional<MeanSlopeStep> preconditioner_;
+  double preconditioned_ = 0;
   /// Harmonics of the extensions' rates.
   Eigen::MatrixXcd rate_;
   Eigen::MatrixXd extension_time_;

@@ -180,6 +180,7 @@ class RunForce {
     sample.motion = amplitude * sight.Motion(audited_.runs[r_], f);
     sample.posts = amplitude * audited_.runs[r_].posts.col(RowOf(f));
     sample.overtones = Overtones(sample.frequency_Hz, amplitude);
+    samples_ = needed_.SamplesFor(sample.frequency_Hz, amplitude, Harmonics(sample, sample.motion));
     const Eigen::MatrixXd weighed = sight.sd.cwiseInverse().asDiagonal() * sight.rows / amplitude;
     sample.information = weighed.transpose() * weighed;
     const std::optional<Eigen::VectorXd> force = Force(needed_, sample, sample.motion);
@@ -203,11 +204,16 @@ class RunForce {
     return overtones;
   }
 
-  std::optional<Eigen::VectorXd> Force(NeededForce& needed, const ForceSample& sample, const Eigen::VectorXcd& motion,
-                                       Complex posts = 1) const {
+  static Eigen::MatrixXcd Harmonics(const ForceSample& sample, const Eigen::VectorXcd& motion) {
     Eigen::MatrixXcd harmonics = sample.overtones;
     harmonics.row(1) = motion.transpose();
-    const std::optional<Eigen::VectorXcd> force = needed.At(sample.frequency_Hz, posts * sample.amplitude_m, harmonics);
+    return harmonics;
+  }
+
+  std::optional<Eigen::VectorXd> Force(NeededForce& needed, const ForceSample& sample, const Eigen::VectorXcd& motion,
+                                       Complex posts = 1) const {
+    const std::optional<Eigen::VectorXcd> force =
+        needed.At(sample.frequency_Hz, posts * sample.amplitude_m, Harmonics(sample, motion), samples_);
     if (!force) return std::nullopt;
     return Stacked(*force);
   }
@@ -304,6 +310,8 @@ class RunForce {
   std::optional<NeededForce> scaled_;
   /// First harmonic of the model's own motion at the frequency at hand; empty: it has none.
   Eigen::VectorXcd modelled_;
+  /// Per cycle, for all motions at that frequency.
+  int samples_ = 0;
 };
 
 /// Names of what sensors do not determine at a middle frequency of a recording.

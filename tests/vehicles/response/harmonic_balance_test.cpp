@@ -177,6 +177,49 @@ TEST(HarmonicBalance, ConvergesToTheMarchWhereFrictionSticks) {
   ExpectMarched(vehicle, {{2.0, 2.0}, {0.0002, 0.001}, {1}});
 }
 
+/// The Land Rover on its links and bushes, with about the friction that fits the recordings.
+Vehicle RubbingCar() {
+  Vehicle vehicle = ShippedVehicle("landrover110_engine");
+  Set(vehicle, "f_front", 80);
+  Set(vehicle, "f_rear", 80);
+  Set(vehicle, "v_friction", 3.2e-3);
+  return vehicle;
+}
+
+const Excitation kRubbing{{0.6, 0.9, 1.3, 1.8, 2.5, 4, 8, 14}, std::vector<double>(8, 8e-3), {1, 1, 1, 1}};
+
+// Friction's slope is far above those of the dampers: the plain iteration, and Anderson acceleration of it, take some
+// 40 iterations and often more than 60 at each number of samples.
+TEST(HarmonicBalance, TakesFewIterationsWhereFrictionSlides) {
+  const CondensedModel model = Prepared(RubbingCar()).model;
+  LinearisedCycle cycle(model, kRubbing.shape, {.few_harmonics = true, .tolerance = 1e-6}, PortsOf(model));
+  for (std::size_t i = 0; i < kRubbing.frequency_Hz.size(); ++i) {
+    EXPECT_TRUE(cycle.Solve(kRubbing.frequency_Hz[i], kRubbing.amplitude_m[i])) << kRubbing.frequency_Hz[i];
+    EXPECT_LT(cycle.iterations(), 40) << kRubbing.frequency_Hz[i];
+    EXPECT_EQ(cycle.harmonics(), 17);
+  }
+}
+
+// 17 harmonics with all the samples that friction needs leave little: of the largest of a channel at any frequency.
+TEST(HarmonicBalance, FewHarmonicsSufficeWithFriction) {
+  constexpr double kFew = 2e-3;
+  const Prepared prepared(RubbingCar());
+  const PeriodicResponse few = SolveHarmonicBalance(prepared.model, prepared.vehicle.sensors, kRubbing,
+                                                    {.few_harmonics = true, .tolerance = 1e-6});
+  const PeriodicResponse all =
+      SolveHarmonicBalance(prepared.model, prepared.vehicle.sensors, kRubbing, {.error = 2e-5});
+  EXPECT_THAT(few.unconverged_Hz, testing::IsEmpty());
+  EXPECT_THAT(all.unconverged_Hz, testing::IsEmpty());
+  for (std::size_t c = 0; c < all.response.channels.size(); ++c) {
+    const ChannelResponse& expected = all.response.channels[c];
+    double largest = 0;
+    for (const Complex& one : expected.response) largest = std::max(largest, std::abs(one));
+    for (std::size_t i = 0; i < expected.response.size(); ++i)
+      EXPECT_LT(std::abs(few.response.channels[c].response[i] - expected.response[i]), kFew * largest)
+          << expected.name << " at " << kRubbing.frequency_Hz[i];
+  }
+}
+
 /// The quarter car with a stop, a knee or a cubic term of its spring, or a tyre that lifts off.
 struct StiffeningCase {
   const char* name;
