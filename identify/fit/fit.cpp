@@ -8,6 +8,7 @@
 #include "identify/fit/fitted_parameters.h"
 #include "identify/fit/held_parameters.h"
 #include "identify/fit/input_noise.h"
+#include "identify/refine/derivative_check.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/search_method_list.h"
 #include "identify/uncertainty/derivative_noise.h"
@@ -67,16 +68,25 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObj
   return starts;
 }
 
-/// The model's own derivatives may be good enough for steps only: differences end what they began, and give
-/// the standard deviations.
-/// `report_and_ask` is called between the steps, `stop` within them.
+bool HasOwnDerivatives(Archive& archive, const RefineResult& best, const RefineOptions& options) {
+  const FitVariables variables(archive.lattice());
+  return best.jacobian.size() > 0 && DerivativesHold(archive, variables, variables.FromValues(best.values),
+                                                     best.jacobian, options.DifferenceStep(archive.problem()));
+}
+
+/// The model's own derivatives may be good enough for steps only: then differences end what they began, and give the
+/// standard deviations. `report_and_ask` is called between the steps, `stop` within them.
 RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions options,
                       const std::function<bool()>& report_and_ask, const std::function<bool()>& stop) {
   if (options.differences != Differences::kAutomatic || !archive.problem().differentiate || stop()) return best;
-  options.differences = Differences::kCentral;
   archive.StopBatches(stop);
   RefineResult polished = best;
   try {
+    if (HasOwnDerivatives(archive, best, options)) {
+      archive.StopBatches({});
+      return best;
+    }
+    options.differences = Differences::kCentral;
     polished = Refine(archive, best.values, options, report_and_ask);
   } catch (const BatchStopped&) {
   }

@@ -1,0 +1,78 @@
+#include "identify/refine/derivative_check.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace fourpost {
+namespace {
+
+constexpr double kStep = 1e-3;
+
+/// a exp(-k t) + b at t = 0, 0.1, ... 1.9.
+Evaluation Decay(const Eigen::VectorXd& p) {
+  Evaluation evaluation;
+  evaluation.residuals.resize(20);
+  for (int i = 0; i < 20; ++i) evaluation.residuals[i] = p[0] * std::exp(-p[1] * 0.1 * i) + p[2];
+  return evaluation;
+}
+
+class DerivativeCheck : public testing::Test {
+ protected:
+  DerivativeCheck() {
+    for (int i = 0; i < 20; ++i) {
+      const double decay = std::exp(-values_[1] * 0.1 * i);
+      jacobian_.row(i) << values_[0] * decay, -values_[1] * 0.1 * i * values_[0] * decay, values_[2];
+    }
+  }
+
+  bool Holds(const Eigen::Vector3d& values) {
+    Archive archive({lattice_, Decay});
+    const FitVariables variables(lattice_);
+    const bool holds = DerivativesHold(archive, variables, variables.FromValues(values), jacobian_, kStep);
+    paid_ = archive.counts().paid;
+    return holds;
+  }
+
+  const Lattice lattice_{{{"a", 0.1, 1, 0.01}, {"k", 0.1, 5, 0.01}, {"b", 0.1, 1, 0.01}}};
+  const Eigen::Vector3d values_{0.6, 2, 0.4};
+  /// By logarithms of the values.
+  Eigen::MatrixXd jacobian_{20, 3};
+  std::int64_t paid_ = 0;
+};
+
+TEST_F(DerivativeCheck, TakesTwoEvaluations) {
+  EXPECT_TRUE(Holds(values_));
+  EXPECT_EQ(paid_, 2);
+}
+
+// Of three columns of like norms each has a third or more of the change.
+TEST_F(DerivativeCheck, FindsAColumnThatIsWrong) {
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    const Eigen::MatrixXd right = jacobian_;
+    jacobian_.col(j) *= 1.1;
+    EXPECT_FALSE(Holds(values_)) << j;
+    jacobian_ = right;
+  }
+}
+
+// What a model's own derivatives err by, 1 % of a column, could be all of such a slope.
+TEST_F(DerivativeCheck, LeavesSmallSlopesToDifferences) {
+  const Eigen::MatrixXd right = jacobian_;
+  jacobian_.col(1) = jacobian_.col(0) + 1e-3 * jacobian_.col(1);
+  EXPECT_FALSE(Holds(values_));
+  jacobian_ = right;
+  jacobian_.col(2).setZero();
+  EXPECT_FALSE(Holds(values_));
+  EXPECT_EQ(paid_, 0);
+}
+
+TEST_F(DerivativeCheck, StaysWithinTheBounds) {
+  EXPECT_TRUE(Holds({0.6, 2, 0.4 * (1 + 1e-9)}));
+  const Eigen::Vector3d at_bound(0.6, 2, 0.1);
+  for (int i = 0; i < 20; ++i) jacobian_(i, 2) = 0.1;
+  EXPECT_TRUE(Holds(at_bound));
+}
+
+}  // namespace
+}  // namespace fourpost
