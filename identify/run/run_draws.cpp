@@ -61,8 +61,8 @@ class FittedCost {
     const Eigen::VectorXd x = variables_.FromValues(values);
     const Evaluation here = archive_.EvaluateValues({values}).front();
     if (!here.ok()) return std::nullopt;
-    const std::optional<Eigen::MatrixXd> all =
-        DifferenceJacobian(archive_, variables_, x, here.residuals, options_.DifferenceStep(archive_.problem()));
+    const std::optional<Eigen::MatrixXd> all = DifferenceJacobian(
+        archive_, variables_, x, here.residuals, options_.DifferenceStep(archive_.problem()), Differences::kAutomatic);
     if (!all) return std::nullopt;
     const Eigen::MatrixXd jacobian = (*all)(Eigen::all, run_.parameters.judged);
     PosteriorOptimum optimum{.centre = x(run_.parameters.judged), .cost = options_.loss.Cost(here.residuals)};

@@ -86,8 +86,8 @@ class Suggester {
     point.residuals = here.residuals;
     const Eigen::VectorXd x = variables_.FromValues(values_);
     const RefineOptions options;
-    const std::optional<Eigen::MatrixXd> jacobian =
-        DifferenceJacobian(archive, variables_, x, here.residuals, options.DifferenceStep(archive.problem()));
+    const std::optional<Eigen::MatrixXd> jacobian = DifferenceJacobian(
+        archive, variables_, x, here.residuals, options.DifferenceStep(archive.problem()), Differences::kAutomatic);
     if (!jacobian) Refuse(kSuggestPointFailed, {study_.study.file.string()});
     point.jacobian = *jacobian;
     result_.evaluations += archive.counts().paid;
@@ -166,7 +166,13 @@ class Suggester {
     ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
       Trial& trial = trials[i];
       if (!trial.study || hooks_.IsStopped()) return;
-      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial));
+      // With all residuals, as if they were independent: nothing pays more.
+      const auto may_pay = [&](double cost) {
+        const auto count = static_cast<double>(result_.residuals);
+        return cost <= 0 ||
+               CriterionChange(base_.cost, cost, result_.residuals, count, trial.addition.count, result_.tried) < 0;
+      };
+      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial), may_pay);
       if (trial.test) evaluations += trial.test->evaluations;
       else trial.failure = trial.study->failure();
       const std::size_t now = ++done;
