@@ -1,6 +1,7 @@
 #include "analysis/text/diagnostics.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -29,6 +30,63 @@ Weight WeightOf(const Diagnostic& diagnostic) {
   return finding == AllFindings().end() ? Weight::kUsual : finding->second->weight();
 }
 
+/// Which words of a finding's text stand in quotes and so are names.
+std::vector<bool> AreNames(const Diagnostic& item) {
+  std::vector<bool> names(item.words.size());
+  const auto finding = AllFindings().find(item.id);
+  if (finding == AllFindings().end()) return names;
+  const std::string_view text = finding->second->text();
+  std::size_t word = 0;
+  for (std::size_t at = text.find("{}"); at != std::string_view::npos && word < names.size();
+       at = text.find("{}", at + 2), ++word)
+    names[word] = at > 0 && text[at - 1] == '\'' && text.substr(at + 2).starts_with('\'');
+  return names;
+}
+
+bool HasName(const Diagnostic& item) {
+  const std::vector<bool> names = AreNames(item);
+  return std::find(names.begin(), names.end(), true) != names.end();
+}
+
+/// "a, b and c"
+std::string Joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+/// Of one of a group: "'b' of 'run2' (words that differ from those of the first, line 4)".
+std::string LikewiseText(const Diagnostic& item, const Diagnostic& first, const std::vector<bool>& differ) {
+  const std::vector<bool> names = AreNames(item);
+  std::string name;
+  std::string others;
+  for (std::size_t i = 0; i < item.words.size(); ++i) {
+    if (!differ[i]) continue;
+    if (names[i]) name += (name.empty() ? "'" : " of '") + item.words[i] + "'";
+    else if (item.words[i] != first.words[i]) others += (others.empty() ? "" : ", ") + item.words[i];
+  }
+  if (item.place.line != first.place.line && item.place.line > 0)
+    others += (others.empty() ? "line " : ", line ") + std::to_string(item.place.line);
+  return name + (others.empty() ? "" : " (" + others + ")");
+}
+
+/// The first in full; of the others what they are of. Repeated ones go.
+std::string MessageOfAll(const std::vector<const Diagnostic*>& group) {
+  const Diagnostic& first = *group.front();
+  std::vector<bool> differ(first.words.size());
+  for (const Diagnostic* item : group)
+    for (std::size_t i = 0; i < std::min(differ.size(), item->words.size()); ++i)
+      differ[i] = differ[i] || item->words[i] != first.words[i];
+  std::vector<std::string> others;
+  for (const Diagnostic* item : group) {
+    if (item->words == first.words) continue;
+    std::string text = LikewiseText(*item, first, differ);
+    if (std::find(others.begin(), others.end(), text) == others.end()) others.push_back(std::move(text));
+  }
+  return first.message + (others.empty() ? "" : "; likewise " + Joined(others));
+}
+
 }  // namespace
 
 const std::string& Name(const Place& place) { return place.option.empty() ? place.file : place.option; }
@@ -44,6 +102,7 @@ std::string Format(const Diagnostic& diagnostic) {
 void Diagnostics::Report(const Finding& finding, Place place, const std::vector<std::string>& words) {
   place.file = Short(std::move(place.file));
   items_.push_back({std::string(finding.id()), finding.severity(), std::move(place), Short(finding.Message(words))});
+  for (const std::string& word : words) items_.back().words.push_back(Short(word));
 }
 
 void Diagnostics::ReportAsWarning(const Finding& finding, Place place, const std::vector<std::string>& words) {
@@ -61,16 +120,34 @@ bool Diagnostics::HasErrors() const {
 }
 
 std::vector<Diagnostic> Diagnostics::ByWeight() const {
-  std::vector<Diagnostic> sorted = items_;
+  std::vector<Diagnostic> sorted = Grouped();
   std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.severity, WeightOf(a)) < std::pair(b.severity, WeightOf(b));
   });
   return sorted;
 }
 
+std::vector<Diagnostic> Diagnostics::Grouped() const {
+  std::vector<std::vector<const Diagnostic*>> groups;
+  std::map<std::tuple<std::string_view, Severity, std::string_view, int>, std::size_t> places;
+  for (const Diagnostic& item : items_) {
+    const int line = item.severity == Severity::kError ? item.place.line : 0;
+    const auto [found, is_new] = places.try_emplace({item.id, item.severity, Name(item.place), line}, groups.size());
+    if (is_new || !HasName(item)) groups.emplace_back();
+    groups[is_new || !HasName(item) ? groups.size() - 1 : found->second].push_back(&item);
+  }
+  std::vector<Diagnostic> result;
+  for (const std::vector<const Diagnostic*>& group : groups) {
+    result.push_back(*group.front());
+    if (group.size() > 1) result.back().message = Short(MessageOfAll(group));
+  }
+  return result;
+}
+
 std::string Diagnostics::Format() const {
+  const std::vector<Diagnostic> grouped = Grouped();
   std::vector<const Diagnostic*> sorted;
-  for (const Diagnostic& item : items_) sorted.push_back(&item);
+  for (const Diagnostic& item : grouped) sorted.push_back(&item);
   std::set<std::string_view> faulty;
   for (const Diagnostic& item : items_)
     if (item.severity == Severity::kError) faulty.insert(Name(item.place));

@@ -30,6 +30,8 @@ struct Diagnostic {
   Severity severity = Severity::kError;
   Place place;
   std::string message;
+  /// Those in place of `{}` of its Finding.
+  std::vector<std::string> words = {};
 };
 
 /// "file:line: error: message [id]", the form editors understand; line 0 is left out. "--option: error: message [id]".
@@ -50,11 +52,17 @@ class Diagnostics {
   bool HasErrors() const;
   const std::vector<Diagnostic>& items() const { return items_; }
 
-  /// Errors first, then by the weight of their findings, else in their order.
+  /// Errors first, then by the weight of their findings, else in their order; alike ones as Grouped().
   std::vector<Diagnostic> ByWeight() const;
 
-  /// One line each, without a newline at the end: files with errors first, of a file its errors before its warnings,
-  /// grave ones first, then by line. Of more than 100 about one file the rest is only counted.
+  /// In their order, with one for all of the same finding about the same file, which names what each is of and the
+  /// words that differ: "'a' stands still; likewise 'b' and 'c'". Errors only where they are at the same line, since
+  /// editors lead to each.
+  std::vector<Diagnostic> Grouped() const;
+
+  /// One line each, alike ones as Grouped(), without a newline at the end: files with errors first, of a file its
+  /// errors before its warnings, grave ones first, then by line. Of more than 100 about one file the rest is only
+  /// counted.
   std::string Format() const;
 
  private:

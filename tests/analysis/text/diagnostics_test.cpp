@@ -58,6 +58,37 @@ TEST(Diagnostics, StandWithGraveWarningsFirst) {
   EXPECT_THAT(ids, testing::ElementsAre("test-wrong", "test-grave", "test-unusual"));
 }
 
+const Finding kStill{"test-still", Severity::kWarning, "'{}' of '{}' stands still at {}", "check its cable"};
+const Finding kLost{"test-lost", Severity::kError, "'{}' is lost"};
+
+TEST(Diagnostics, OfOneCauseAreOneThatListsWhatItIsOf) {
+  Diagnostics diagnostics;
+  diagnostics.Report(kStill, {"a.yaml", 4}, {"x", "run1", "3 mm"});
+  diagnostics.Report(kUnusual, {"a.yaml"}, {"between"});
+  diagnostics.Report(kStill, {"a.yaml", 5}, {"y", "run1", "4 mm"});
+  diagnostics.Report(kStill, {"a.yaml", 4}, {"x", "run2", "3 mm"});
+  diagnostics.Report(kStill, {"a.yaml", 4}, {"x", "run2", "3 mm"});
+  diagnostics.Report(kStill, {"b.yaml", 4}, {"x", "run1", "3 mm"});
+  EXPECT_EQ(
+      diagnostics.Format(),
+      "a.yaml: warning: between [test-unusual]\n"
+      "a.yaml:4: warning: 'x' of 'run1' stands still at 3 mm: check its cable; likewise 'y' of 'run1' (4 mm, line "
+      "5) and 'x' of 'run2' [test-still]\n"
+      "b.yaml:4: warning: 'x' of 'run1' stands still at 3 mm: check its cable [test-still]");
+  EXPECT_EQ(diagnostics.ByWeight().size(), 3);
+  // Those who count them have each.
+  EXPECT_EQ(diagnostics.items().size(), 6);
+}
+
+TEST(Diagnostics, ErrorsKeepTheirLines) {
+  Diagnostics diagnostics;
+  diagnostics.Report(kLost, {"a.csv", 4}, {"x"});
+  diagnostics.Report(kLost, {"a.csv", 5}, {"y"});
+  diagnostics.Report(kLost, {"a.csv", 5}, {"z"});
+  EXPECT_EQ(diagnostics.Format(),
+            "a.csv:4: error: 'x' is lost [test-lost]\na.csv:5: error: 'y' is lost; likewise 'z' [test-lost]");
+}
+
 TEST(Diagnostics, AreEmptyTextWhenThereAreNone) { EXPECT_EQ(Diagnostics().Format(), ""); }
 
 TEST(Diagnostics, OfOneFileDoNotBuryThoseOfAnother) {
