@@ -86,6 +86,14 @@ std::string DoesNotExplain(const Json& result) {
   return "<strong>The model does not explain the data:</strong> " + Listed(listed) + ". ";
 }
 
+/// What the check of the recordings would have refused; empty where nothing was accepted.
+std::string WhatWasAccepted(const Json& result) {
+  std::vector<std::string> listed;
+  for (const Json& one : ListAt(result.value("verdict", Json()), "accepted"))
+    if (const std::string text = FindingText(one); !text.empty()) listed.push_back(html::Escaped(text));
+  return listed.empty() ? "" : "<strong>Implausible values were accepted:</strong> " + Listed(listed) + ". ";
+}
+
 /// Of a run that was cut short what it had done by then.
 std::string Agreement(const Json& result, bool is_cut_short) {
   const Json starts = result.value("starts", Json());
@@ -138,7 +146,9 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
   else if (end == "not_converged") text = "<strong>The fit did not converge.</strong> A better point may be near. ";
   else text = "<strong>The end of the fit is of an unknown kind.</strong> ";
   if (end != "converged") name = "poor";
-  text += Agreement(result, end == "interrupted");
+  const std::string accepted = WhatWasAccepted(result);
+  text += accepted + Agreement(result, end == "interrupted");
+  if (!accepted.empty() && name == "good") name = "fair";
   if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
   const double misfit = MisfitOf(result);
   if (std::isfinite(misfit)) {

@@ -39,12 +39,20 @@ inline const Finding kChannelUnexplained{"channel-unexplained", Severity::kWarni
 inline const Finding kRecordingUnexplained{"recording-unexplained", Severity::kWarning,
                                            "recording '{}' in {} has an NMSE of {} %, worse than no model (100 %)",
                                            "check sign, scale, delay and position, then extend the model"};
+inline const Finding kImplausibleUnexplained{
+    "implausible-unexplained", Severity::kWarning,
+    "implausible values were accepted, and residuals are {} times what noise and the stated model error explain",
+    "correct what the check of the recordings names, and fit without --accept-implausible"};
 inline const Finding kParametersAtBounds{"parameters-at-bounds", Severity::kWarning,
                                          "{} of {} parameters are at their bounds",
                                          "widen bounds that are guesses, or add the missing mechanism"};
 
 // How far its numbers can be trusted.
 
+inline const Finding kImplausibleAccepted{
+    "implausible-accepted", Severity::kWarning,
+    "implausible values were accepted (--accept-implausible), and the parameters are right only if these are: {}",
+    "correct the study or the recordings, and fit without the option", Weight::kGrave};
 inline const Finding kFitNotConverged{"fit-not-converged", Severity::kWarning, "the refinement did not converge ({})",
                                       "fit again from the vehicle.urdf of these results", Weight::kGrave};
 inline const Finding kCompromiseWithoutDeviations{

@@ -190,12 +190,26 @@ class Fitter {
     Diagnostics diagnostics;
     std::optional<LoadedStudy> loaded = LoadStudy(request_.study, diagnostics, request_.set);
     if (!loaded) throw FaultyInput(diagnostics);
-    audit_ = CheckRecordings(*loaded, request_.accept_implausible ? Severity::kWarning : Severity::kError, diagnostics);
+    audit_ = CheckRecordings(*loaded, Severity::kError, diagnostics);
+    if (request_.accept_implausible) diagnostics = Accepted(diagnostics);
     RequirePlausible(*loaded, diagnostics);
     Diagnostics others;
     for (const Diagnostic& item : diagnostics.items()) (IsAboutScale(item) ? held_ : others).Add(item);
     Keep(others);
     return *std::move(loaded);
+  }
+
+  /// Errors as warnings, which the verdict names.
+  Diagnostics Accepted(const Diagnostics& found) {
+    Diagnostics all;
+    for (Diagnostic item : found.items()) {
+      if (item.severity == Severity::kError) {
+        item.severity = Severity::kWarning;
+        accepted_.Add(item);
+      }
+      all.Add(std::move(item));
+    }
+    return all;
   }
 
   /// A fit that ends because nothing sets the scale says so in an error.
@@ -306,7 +320,7 @@ class Fitter {
     for (const Experiment& experiment : loaded.study.experiments) AddResults(experiment.Results(subject, fit), results);
     Keep(results.findings);
     if (audit_) results.json["audit"] = AuditJson(*audit_);
-    run.verdict = JudgeFit(fit, results.shares);
+    run.verdict = JudgeFit(fit, results.shares, accepted_);
     // What channels say against each other no parameters explain, whatever the misfit.
     if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
       ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
@@ -332,6 +346,7 @@ class Fitter {
   const FitRunHooks& hooks_;
   Diagnostics warnings_;
   std::optional<Audit> audit_;
+  Diagnostics accepted_;
   /// For the time when the data are known to determine the parameters.
   Diagnostics held_;
 };

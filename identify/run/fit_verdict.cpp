@@ -109,7 +109,7 @@ std::string Joined(const Diagnostics& reasons) {
 
 }  // namespace
 
-FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares) {
+FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares, const Diagnostics& accepted) {
   if (fit.end == FitEnd::kInterrupted) return {};
   std::vector<Group> channels;
   std::vector<Group> recordings;
@@ -117,10 +117,12 @@ FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares)
     AddTo(channels, {share.channel}, share);
     AddTo(recordings, {share.recording, share.unit}, share);
   }
-  FitVerdict verdict;
+  FitVerdict verdict{.reasons = {}, .accepted = accepted};
   AddPoor(channels, kChannelUnexplained, verdict.reasons);
   AddPoor(recordings, kRecordingUnexplained, verdict.reasons);
   AddBounds(fit, verdict.reasons);
+  if (!accepted.items().empty() && fit.Misfit() > kLargeMisfit)
+    verdict.reasons.Report(kImplausibleUnexplained, {}, {ShortNumber(fit.Misfit(), 2)});
   return verdict;
 }
 
@@ -136,6 +138,7 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
     AddOtherOptima(fit, conclusions);
     AddCalibrations(fit, conclusions);
   }
+  if (!verdict.accepted.items().empty()) conclusions.Report(kImplausibleAccepted, {}, {Joined(verdict.accepted)});
   if (!verdict.explains()) conclusions.Report(kModelUnexplaining, {}, {Joined(verdict.reasons)});
   return conclusions;
 }

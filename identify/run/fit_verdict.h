@@ -17,6 +17,8 @@ inline constexpr double kSmallMisfit = 0.3;
 struct FitVerdict {
   /// Why it does not; empty where nothing speaks against it.
   Diagnostics reasons;
+  /// What the check of the recordings would have refused, and the user accepted.
+  Diagnostics accepted = {};
 
   bool explains() const { return reasons.items().empty(); }
 };
@@ -26,9 +28,11 @@ struct FitVerdict {
 ///   above 100 %: a constant would be nearer. Only what is loud enough to judge, as a root mean square: over frequency
 ///   at least a tenth of the loudest of its unit, for next to a node small errors are large shares, over time 2 %;
 /// - the audit of the rig suspects a channel, which fit_run.cpp adds;
+/// - implausible values were accepted, and the misfit is more than 1.5 times what noise and model error explain: a
+///   channel in the wrong unit is either quiet beside the others of its unit, or a constant is hardly nearer;
 /// - most parameters are at their bounds and the misfit is more than 1.5 times what noise and model error explain.
 /// A fit that was interrupted is not judged: no reasons.
-FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares);
+FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares, const Diagnostics& accepted = {});
 
 /// What the fit and its standard deviations are worth: whether it explains the data and converged, and which parameters
 /// they leave open. `has_deviations`: whether the cost weights by noise.

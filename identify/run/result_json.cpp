@@ -184,7 +184,9 @@ Json Intervals(const FitResult& fit) {
 /// null of a fit that was interrupted.
 Json Verdict(const FitResult& fit, const FitVerdict& verdict) {
   if (fit.end == FitEnd::kInterrupted) return nullptr;
-  return {{"explains_data", verdict.explains()}, {"reasons", WarningsJson(verdict.reasons)}};
+  return {{"explains_data", verdict.explains()},
+          {"reasons", WarningsJson(verdict.reasons)},
+          {"accepted", WarningsJson(verdict.accepted)}};
 }
 
 /// Infinite ends: null.
