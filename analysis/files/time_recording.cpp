@@ -280,6 +280,7 @@ class RecordReader {
       const double delay_s = wanted[i].delay_s;
       if (delay_s == 0) continue;
       recording.channels[i] = Advanced(recording.channels[i], recording.step_s, delay_s);
+      recording.preparations.push_back(DelayTakenBack(wanted[i].names.front(), delay_s));
       latest_s = std::max(latest_s, delay_s);
       earliest_s = std::min(earliest_s, delay_s);
     }
@@ -321,6 +322,15 @@ auto Reading(const RecordedTable& table, Diagnostics& diagnostics, const Read& r
 }
 
 }  // namespace
+
+std::string DelayTakenBack(const std::string& channel, double delay_s) {
+  return channel + ": delay of " + SecondsText(delay_s) + " taken back";
+}
+
+std::string CutTo(double start_s, double end_s) {
+  return "cut to " + FormatNumber(std::round(1e4 * start_s) / 1e4) + " .. " +
+         FormatNumber(std::round(1e4 * end_s) / 1e4) + " s";
+}
 
 void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                         const RecordedChannel& time) {

@@ -60,6 +60,11 @@ struct TimePreparation {
 inline const RecordedChannel kTimeColumn{
     {"time", "Time", "TIME", "t", "timestamp", "Timestamp", "datetime", "DateTime"}, kTime, "the time of each sample"};
 
+/// "a_body: delay of 2 ms taken back", of what is done to a recording.
+std::string DelayTakenBack(const std::string& channel, double delay_s);
+/// "cut to 2 .. 8.5 s"
+std::string CutTo(double start_s, double end_s);
+
 /// Signals sampled at once and evenly.
 struct TimeRecording {
   /// Of the first and the last sample.

@@ -93,6 +93,9 @@ class ResponseMaker {
   bool Joins(const LookedAt& looked) {
     const RigRecording& recording = looked.recording;
     work_.out.duration_s += recording.duration_s();
+    for (const std::string& done : recording.preparations)
+      work_.out.preparations.push_back((work_.request.files.size() > 1 ? looked.file.filename().string() + ", " : "") +
+                                       done);
     if (work_.names.empty()) {
       work_.out.kind = looked.kind;
       work_.out.posts = recording.posts;

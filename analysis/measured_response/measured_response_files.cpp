@@ -267,6 +267,7 @@ std::string StudySection(const MeasuredResponses& measured) {
 
 std::string MeasuredText(const MeasuredResponses& measured) {
   std::string text = FoundText(measured);
+  for (const std::string& done : measured.preparations) text += done + '\n';
   for (const MeasuredResponse& response : measured.responses) text += '\n' + ResponseText(measured, response);
   if (!measured.left_out.empty()) {
     std::string names;
@@ -303,7 +304,8 @@ nlohmann::ordered_json MeasuredJson(const MeasuredResponses& measured) {
           {"period_s", is_multisine ? Json(measured.period_s) : Json()},
           {"periods", is_multisine ? Json(measured.periods) : Json()},
           {"responses", responses},
-          {"left_out", measured.left_out}};
+          {"left_out", measured.left_out},
+          {"preparation", measured.preparations}};
 }
 
 }  // namespace fourpost

@@ -111,6 +111,7 @@ class RigReader {
                            : ReadTimeRecording(tables_.front(), wanted_, diagnostics_, times, preparation_.times);
     if (!recording || !Cut(*recording)) return std::nullopt;
     out_.rate_Hz = recording->rate_Hz();
+    out_.preparations = std::move(recording->preparations);
     const auto first = std::make_move_iterator(recording->channels.begin());
     const auto middle = first + static_cast<std::ptrdiff_t>(known.size());
     out_.heights.assign(first, middle);
@@ -213,6 +214,9 @@ class RigReader {
                           {Rounded(recording.start_s, 3), Rounded(recording.end_s, 3)});
       return false;
     }
+    if (begin > 0 || end < last)
+      recording.preparations.push_back(
+          CutTo(recording.time_s(static_cast<std::size_t>(begin)), recording.time_s(static_cast<std::size_t>(end))));
     for (std::vector<double>& channel : recording.channels) {
       channel.erase(channel.begin() + static_cast<std::ptrdiff_t>(end) + 1, channel.end());
       channel.erase(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(begin));

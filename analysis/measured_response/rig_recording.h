@@ -46,6 +46,8 @@ struct RigRecording {
   /// Columns in other units, or without one; and those of them whose unit is not known, as 'oil [foo]'.
   std::vector<std::string> left_out;
   std::vector<std::string> unit_unknown;
+  /// What was done to it, a sentence each.
+  std::vector<std::string> preparations = {};
 
   RigSignals Signals() const;
   double duration_s() const;

@@ -47,6 +47,8 @@ int Run(const FrfCommand& command) {
   bool all_may_be = true;
   for (const std::filesystem::path& file : command.request.files)
     all_may_be = MayBeRecording(file, findings) && all_may_be;
+  for (const OtherFile& other : command.request.preparation.times.others)
+    all_may_be = MayBeRecording(other.path, findings) && all_may_be;
   if (!all_may_be || findings.HasErrors()) throw FaultyInput(findings);
   if (!command.output.empty()) {
     RequireInputsElsewhere(command.request.files, command.output);

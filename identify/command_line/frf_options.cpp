@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "analysis/signals/frequency_grid.h"
 #include "analysis/text/units.h"
@@ -28,6 +29,16 @@ void AddPost(const std::string& text, FrfCommand& command) {
   if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
     command.faults.Report(kPostChannelMalformed, Place::Option("--post"), {text});
   else command.request.posts.push_back({text.substr(0, sign), text.substr(sign + 1)});
+}
+
+/// "pots.csv", "pots.csv=3ms"
+void AddBeside(const std::string& text, FrfCommand& command) {
+  const std::size_t sign = text.rfind('=');
+  OtherFile other{.path = text.substr(0, sign)};
+  if (sign != std::string::npos)
+    if (const auto delay_s = ReadQuantity(text.substr(sign + 1), kTime, "--with", command.faults))
+      other.delay_s = *delay_s;
+  command.request.preparation.times.others.push_back(std::move(other));
 }
 
 AcquisitionFilter& FilterOf(FrfCommand& command) {
@@ -65,6 +76,16 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
           },
           "Channel of a post's displacement and the post's name, CHANNEL=FL; once for each post (default: channels "
           "named post_FL, FL and the like)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  subcommand
+      .add_option_function<std::vector<std::string>>(
+          "--with",
+          [&command](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) AddBeside(text, command);
+          },
+          "File of another recorder with channels of the same time, FILE or, where its clock is ahead, FILE=3ms; once "
+          "for each file")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   subcommand.add_option("--reference", command.request.reference,

@@ -176,8 +176,82 @@ class Frf(ProgramTest):
                 self.write("study.yaml", corrected)
                 self.run_program("fit", "study.yaml", "-o", "good", "--no-suggest")
         self.write("study.yaml", history)
-        accepted = self.run_program("fit", "study.yaml", "-o", "run", "--accept-implausible").stderr
-        self.assert_finding(accepted, "channel-thousandfold")
+        for text in (history, recording):
+            # The channel alone, and beside one that its error makes quiet.
+            self.write("study.yaml", text)
+            accepted = self.run_program("fit", "study.yaml", "-o", "run", "--accept-implausible", "--no-suggest", "--json",
+                                        code=1)
+            self.assertIn("-thousandfold]", accepted.stderr)
+            result = json.loads(accepted.stdout)
+            self.assertFalse(result["verdict"]["explains_data"])
+            self.assertIn("-thousandfold", result["verdict"]["accepted"][0]["id"])
+            self.assertIn("implausible-accepted", [entry["id"] for entry in result["conclusions"]])
+            self.assertIn("Implausible values were accepted", (self.folder / "run/report.html").read_text())
+
+    def split(self, ahead_s):
+        """The recording of two devices: the second, at half the rate, has the strut and a clock that is ahead."""
+        names, units, *rows = [row.split(",") for row in (self.folder / "dwells.csv").read_text().splitlines()]
+        strut = names.index("s_strut")
+        keep = [k for k in range(len(names)) if k != strut]
+        self.write("main.csv", "\n".join(",".join(row[k] for k in keep) for row in [names, units, *rows]) + "\n")
+        self.write("pots.csv", "time,s_strut\ns,m\n" + "".join(
+            f"{float(row[0]) + ahead_s:.6f},{row[strut]}\n" for row in rows[::2]))
+
+    def test_joins_devices_whose_clocks_differ(self):
+        self.split(0.003)
+        study = STUDY.format(recording="file: main.csv, posts: heave, with: [{file: pots.csv{DELAY}}]")
+        errors = {}
+        for delay in ("", ", delay: 3 ms"):
+            self.write("study.yaml", study.replace("{file: pots.csv{DELAY}", "{file: pots.csv" + delay))
+            answer = json.loads(self.run_program("response", "study.yaml", "--engine", "reduced", "--json").stdout)
+            errors[delay] = {channel["name"]: channel["rms_deg"] for channel in answer["channels"]}["s_strut"]
+        # 3 ms are 8.6 degrees at 8 Hz; beside it noise of 0.1 %.
+        self.assertGreater(errors[""], 3)
+        self.assertLess(errors[", delay: 3 ms"], 0.3)
+        # By the command.
+        phases = {}
+        for other in ("pots.csv", "pots.csv=3ms"):
+            frf = json.loads(self.run_program("frf", "main.csv", "--with", other, "--json").stdout)
+            response = frf["responses"][0]
+            phases[other] = {c["name"]: c for c in response["channels"]}["s_strut"]["phase_deg"]
+            self.assertEqual(frf["preparation"], ["with pots.csv" + (", 3 ms ahead" if "=" in other else "")])
+        for frequency, late, right in zip(response["frequency_Hz"], *phases.values()):
+            self.assertAlmostEqual((right - late + 180) % 360 - 180, 360 * frequency * 0.003, delta=0.3)
+        self.assert_finding(self.run_program("frf", "main.csv", "--with", "pots.csv=3mm", code=2).stderr, "option-dimension")
+
+    def test_audit_finds_a_device_on_another_clock(self):
+        for ahead_s, is_found in ((0.003, True), (0, False)):
+            self.split(ahead_s)
+            self.write("study.yaml", """vehicle: car.urdf
+recordings:
+  - {file: main.csv, posts: heave, with: [pots.csv]}
+band: [1 Hz, 10 Hz]
+""")
+            found = self.run_program("info", "study.yaml").stderr
+            self.assertEqual("'s_strut' comes 3" in found, is_found, found)
+
+    def test_says_what_was_done_to_the_recording(self):
+        self.split(0.003)
+        self.write("study.yaml", """vehicle: car.urdf
+recordings:
+  - file: main.csv
+    posts: heave
+    with: [{file: pots.csv, delay: 3 ms}]
+    resample: 200 Hz
+    end: 17 s
+channels:
+  a_body: {channel: a_body, trend: remove}
+  s_strut: {channel: s_strut, offset: 1 mm, delay: 0.1 ms}
+band: [1 Hz, 10 Hz]
+free: [k]
+""")
+        self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest")
+        done = json.loads((self.folder / "run/result.json").read_text())["recordings"][0]["preparation"]
+        for part in ("resampled to 200 Hz", "with pots.csv, 3 ms ahead", "a_body: trend taken away",
+                     "s_strut: offset taken away", "s_strut: delay of 0.1 ms taken back", "responses of a stepped sine"):
+            self.assertIn(part, done)
+        self.assertTrue(any(part.startswith("cut to 0 .. ") for part in done), done)
+        self.assertIn("a_body: trend taken away", (self.folder / "run/report.html").read_text())
 
     def test_refuses_what_it_cannot_use(self):
         self.assert_finding(self.run_program("frf", "dwells.csv", "--post", "FL", code=2).stderr, "post-channel-malformed")

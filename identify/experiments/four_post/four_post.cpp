@@ -70,6 +70,7 @@ Json RecordingsJson(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs
     for (std::size_t p = 0; p < vehicle.posts.size(); ++p) posts[vehicle.posts[p].name] = runs[r].excitation.shape[p];
     Json entry = {{"name", runs[r].name}, {"posts", posts}};
     entry.update(ErrorsJson(misfits[r]));
+    if (!runs[r].preparations.empty()) entry["preparation"] = runs[r].preparations;
     list.push_back(std::move(entry));
   }
   return list;

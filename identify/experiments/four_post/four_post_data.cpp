@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/files/time_recording.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
 #include "identify/experiments/four_post/findings.h"
@@ -134,10 +135,12 @@ class DataLoader {
     run.excitation.shape = Shape(recording);
     // A pattern that these posts cannot make has been reported; the file's own faults are as well.
     const bool has_shape = !run.excitation.shape.empty();
-    const std::optional<FrequencyResponse> measured = ReadStudyRecording(
+    const std::optional<StudyResponse> read = ReadStudyRecording(
         recording, file_, plan_.channels, has_shape ? NamesOf(vehicle_.posts) : std::vector<std::string>(),
         run.excitation.shape, diagnostics_);
-    if (!measured) return;
+    if (!read) return;
+    const FrequencyResponse* const measured = &read->response;
+    run.preparations = read->preparations;
     run.excitation.frequency_Hz = measured->frequency_Hz;
     run.excitation.amplitude_m = measured->amplitude_m;
     const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
@@ -150,6 +153,8 @@ class DataLoader {
       channel.has_opposed_members = HasOpposedMembers(channels, source, name);
       channel.name = name;
       channel.sensor = *sensor;
+      for (const SourceChannel& one : source.channels)
+        if (one.delay_s != 0) run.preparations.push_back(DelayTakenBack(one.name, one.delay_s));
       CheckDeviations(channel, source);
       run.channels.push_back(std::move(channel));
     }

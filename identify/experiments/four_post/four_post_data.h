@@ -68,6 +68,8 @@ struct MeasuredRun {
   std::string name;
   Excitation excitation;
   std::vector<MeasuredChannel> channels;
+  /// Of a time history: what was done to it, a sentence each.
+  std::vector<std::string> preparations = {};
 };
 
 /// Stepped sines as a study describes them; paths are resolved.

@@ -13,6 +13,7 @@
 #include "identify/experiments/four_post/missing_force_section.h"
 #include "identify/experiments/four_post/response_remarks.h"
 #include "identify/experiments/four_post/response_table.h"
+#include "identify/experiments/preparations_html.h"
 #include "identify/experiments/shared_curves.h"
 #include "identify/study_file/model_error.h"
 #include "identify/study_file/result_reader.h"
@@ -96,7 +97,9 @@ class ResponseData : public ExperimentData {
   std::vector<ReportSection> Sections() const override {
     std::vector<ReportSection> sections = {
         {"responses", "Frequency responses",
-         html::Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them."), true},
+         PreparationsHtml(ListAt(result_, "recordings"), "name") +
+             html::Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them."),
+         true},
         {"residuals", "Residuals by band",
          html::Drawn("residuals", "The table needs JavaScript; response.csv beside this file has its numbers.")}};
     if (std::string missing = MissingForceHtml(result_, missing_force_); !missing.empty())

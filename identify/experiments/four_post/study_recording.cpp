@@ -56,12 +56,18 @@ class MeasuredRecording {
                     Diagnostics& diagnostics)
       : recording_(recording), channels_(channels), place_{study, recording.line}, diagnostics_(diagnostics) {}
 
-  std::optional<FrequencyResponse> Read(const std::vector<std::string>& posts, const std::vector<double>& shape) {
+  std::optional<StudyResponse> Read(const std::vector<std::string>& posts, const std::vector<double>& shape) {
     std::optional<MeasuredResponses> measured = Measure();
     if (!measured) return std::nullopt;
-    if (posts.empty()) return std::move(measured->responses.front().response);
+    std::vector<std::string> preparations = std::move(measured->preparations);
+    preparations.push_back("responses of a " + KindInWords(measured->kind));
+    if (recording_.filter)
+      preparations.push_back("low-pass of " + FormatNumber(recording_.filter->cutoff_Hz) + " Hz taken off the posts");
+    if (posts.empty()) return StudyResponse{std::move(measured->responses.front().response), preparations};
     const std::optional<std::vector<std::size_t>> places = PlacesOf(posts, *measured);
-    return places ? Chosen(posts, shape, *places, *measured) : std::nullopt;
+    std::optional<FrequencyResponse> chosen = places ? Chosen(posts, shape, *places, *measured) : std::nullopt;
+    if (!chosen) return std::nullopt;
+    return StudyResponse{*std::move(chosen), std::move(preparations)};
   }
 
   std::optional<HistoryContent> Content(const std::vector<std::string>& posts) {
@@ -170,17 +176,18 @@ std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording
   return MeasuredRecording(recording, study, channels, diagnostics).Content(posts);
 }
 
-std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
-                                                    const StudyChannels& channels,
-                                                    const std::vector<std::string>& posts,
-                                                    const std::vector<double>& shape, Diagnostics& diagnostics) {
+std::optional<StudyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
+                                                const StudyChannels& channels, const std::vector<std::string>& posts,
+                                                const std::vector<double>& shape, Diagnostics& diagnostics) {
   if (IsOverTime(recording)) return MeasuredRecording(recording, study, channels, diagnostics).Read(posts, shape);
   if (recording.IsOfHistory()) diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
   for (const auto& [sensor, source] : channels)
     for (const SourceChannel& channel : source.channels)
       if (IsPrepared(channel))
         diagnostics.Report(kSineChannelOfHistory, {study, source.line}, {sensor, recording.name});
-  return ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
+  std::optional<FrequencyResponse> read = ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
+  if (!read) return std::nullopt;
+  return StudyResponse{.response = *std::move(read)};
 }
 
 }  // namespace fourpost

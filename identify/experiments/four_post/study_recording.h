@@ -31,13 +31,18 @@ std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording
                                                  const StudyChannels& channels, const std::vector<std::string>& posts,
                                                  Diagnostics& diagnostics);
 
+/// Responses, and what was done to the time history that they were made of, a sentence each.
+struct StudyResponse {
+  FrequencyResponse response;
+  std::vector<std::string> preparations = {};
+};
+
 /// The responses of a recording of a study: of a table of stepped sines as it stands, see ReadFrequencyResponse(); of a
 /// time history as MeasureResponses() makes them, those in which the posts of the vehicle move as stated: `posts` are
 /// their names, `shape` their shares. Where `posts` is empty, whatever the file holds. Adds every fault, at the study's
 /// line where it contradicts the file; nothing when there was one.
-std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
-                                                    const StudyChannels& channels,
-                                                    const std::vector<std::string>& posts,
-                                                    const std::vector<double>& shape, Diagnostics& diagnostics);
+std::optional<StudyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
+                                                const StudyChannels& channels, const std::vector<std::string>& posts,
+                                                const std::vector<double>& shape, Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -225,6 +225,10 @@ class HistoryLoader {
       Fault(kHistoryWindowOutside, study_.line,
             {study_.name, study_.file.filename().string(), FormatNumber(recording.start_s),
              FormatNumber(recording.end_s)});
+    else if (study_.start_s || study_.end_s)
+      history.preparations.push_back(
+          CutTo(recording.time_s(static_cast<std::size_t>(history.first)),
+                recording.time_s(static_cast<std::size_t>(history.first + history.count - 1))));
   }
 
   /// Sum or mean of its channels.

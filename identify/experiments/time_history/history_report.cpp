@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/report/html.h"
+#include "identify/experiments/preparations_html.h"
 #include "identify/experiments/run_history.h"
 #include "identify/experiments/shared_curves.h"
 #include "identify/experiments/time_history/motion_file.h"
@@ -43,7 +44,7 @@ class HistoryData : public ExperimentData {
 
   std::vector<ReportSection> Sections() const override {
     return {{"histories", "Time histories",
-             PreparationsHtml() +
+             PreparationsHtml(ListAt(run_.result, "histories"), "recording") +
                  html::Drawn("histories",
                              "The charts need JavaScript; history.svg and validation.svg beside this file show them."),
              true}};
@@ -68,19 +69,6 @@ class HistoryData : public ExperimentData {
   }
 
  private:
-  /// What the study had done to the recordings, which the charts show afterwards.
-  std::string PreparationsHtml() const {
-    std::string items;
-    for (const nlohmann::json& history : ListAt(run_.result, "histories")) {
-      if (!history.contains("preparation")) continue;
-      std::string text;
-      for (const nlohmann::json& one : history["preparation"])
-        if (one.is_string()) text += (text.empty() ? "" : "; ") + one.get<std::string>();
-      items += html::Element("li", "", html::Escaped(TextAt(history, "recording") + ": " + text));
-    }
-    return items.empty() ? "" : "<p>Prepared as the study states:</p>" + html::Element("ul", "", items);
-  }
-
   RunFolder run_;
   Json fitted_;
   Json unseen_;
