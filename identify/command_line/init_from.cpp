@@ -53,37 +53,40 @@ std::string Listed(const std::vector<std::string>& names) {
   return text;
 }
 
-const char* WordsFor(ChannelMatch::By by) {
+std::string WordsFor(ChannelMatch::By by) {
   switch (by) {
     case ChannelMatch::By::kName: return "name";
     case ChannelMatch::By::kLikeName: return "like name";
+    case ChannelMatch::By::kKind: return "kind";
     case ChannelMatch::By::kMotion: return "motion";
   }
   return "";
 }
 
+/// How the match was found; empty of what is none of a sensor.
+std::string HowFound(const DraftedFile& file, const DraftedChannel& channel) {
+  for (const ChannelMatch& match : file.matches)
+    if (match.name == channel.of)
+      return WordsFor(match.by) + (match.correlation ? ", correlation " + Rounded(*match.correlation, 2) : "");
+  return "";
+}
+
 std::string TextOf(const StudyDraft& draft, const fs::path& study) {
-  TextTable table({"file", "of the vehicle", "channel", "by", "correlation", ""});
+  TextTable table({"file", "channel", "of the vehicle", "by", "", ""});
   std::string unused;
   std::string named;
   bool has_rows = false;
   for (const DraftedFile& file : draft.files) {
     const std::string name = file.path.filename().string();
     if (!file.is_used) unused += "not used: " + name + ": " + file.use + '\n';
-    std::size_t by_name = 0;
-    for (const ChannelMatch& match : file.matches) {
-      if (match.by == ChannelMatch::By::kName && match.IsSure()) {
-        ++by_name;
-        continue;
-      }
+    for (const DraftedChannel& channel : file.channels) {
       has_rows = true;
-      table.Add({name, match.name, SourceText(match.source), WordsFor(match.by),
-                 match.correlation ? Rounded(*match.correlation, 2) : "", match.IsSure() ? "" : "look at"});
+      table.Add({name, channel.name, channel.of, HowFound(file, channel), StateName(channel.state), channel.why});
     }
     if (file.is_used)
-      named += name + ": " + file.use + "; " + std::to_string(file.matches.size()) + " channels matched, " +
-               std::to_string(by_name) + " of them by name" +
-               (file.channels_left.empty() ? "" : ", not used: " + Listed(file.channels_left)) + '\n';
+      named += name + ": " + file.use + "; " + std::to_string(file.matches.size()) + " of " +
+               std::to_string(file.matches.size() + file.without_channel.size()) + " sensors have a channel" +
+               (file.without_channel.empty() ? "" : ", not: " + Listed(file.without_channel)) + '\n';
   }
   return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() + "\nnext\n  fourpost fit " +
          study.string() + " -o run\n";
@@ -99,10 +102,17 @@ std::string JsonOf(const StudyDraft& draft, const fs::path& folder) {
                          {"by", WordsFor(match.by)},
                          {"correlation", match.correlation ? Json(*match.correlation) : Json()},
                          {"sure", match.IsSure()}});
+    Json channels = Json::array();
+    for (const DraftedChannel& channel : file.channels)
+      channels.push_back({{"name", channel.name},
+                          {"of", channel.of.empty() ? Json() : Json(channel.of)},
+                          {"state", StateName(channel.state)},
+                          {"why", channel.why}});
     recordings.push_back({{"file", file.path.string()},
                           {"use", file.is_used ? Json(file.use) : Json()},
                           {"reason", file.is_used ? Json() : Json(file.use)},
                           {"matches", matches},
+                          {"channels", channels},
                           {"channels_left", file.channels_left},
                           {"sensors_left", file.sensors_left}});
   }

@@ -19,6 +19,12 @@ struct Candidate {
   Dimension dimension;
 };
 
+std::vector<NameMeaning> MeaningsOfAll(const std::vector<SoughtChannel>& sought, bool has_sides) {
+  std::vector<std::string> names;
+  for (const SoughtChannel& one : sought) names.push_back(one.name);
+  return MeaningsOf(names, has_sides);
+}
+
 struct Pairing {
   std::size_t sought = 0;
   std::size_t candidate = 0;
@@ -35,8 +41,10 @@ constexpr double kNear = 0.03;
 
 std::vector<Candidate> CandidatesOf(const std::vector<OfferedChannel>& offered, bool has_sides) {
   std::vector<Candidate> singles;
-  for (const OfferedChannel& channel : offered)
-    singles.push_back({{channel.name}, MeaningOf(channel.name), channel.dimension});
+  std::vector<std::string> names;
+  for (const OfferedChannel& channel : offered) names.push_back(channel.name);
+  const std::vector<NameMeaning> meanings = MeaningsOf(names, has_sides);
+  for (std::size_t i = 0; i < offered.size(); ++i) singles.push_back({{names[i]}, meanings[i], offered[i].dimension});
   if (has_sides) return singles;
   std::vector<Candidate> all;
   std::set<std::string> paired;
@@ -72,11 +80,11 @@ double ScoreOf(const Pairing& pairing, bool is_equal) {
   return (is_equal ? 2 : pairing.likeness) + kMotion * std::abs(pairing.correlation.value_or(0));
 }
 
-std::vector<Pairing> PairingsOf(const std::vector<SoughtChannel>& sought, const std::vector<Candidate>& candidates,
-                                const CorrelationOf& correlation) {
+std::vector<Pairing> PairingsOf(const std::vector<SoughtChannel>& sought, const std::vector<NameMeaning>& meanings,
+                                const std::vector<Candidate>& candidates, const CorrelationOf& correlation) {
   std::vector<Pairing> pairings;
   for (std::size_t s = 0; s < sought.size(); ++s) {
-    const NameMeaning meaning = MeaningOf(sought[s].name);
+    const NameMeaning& meaning = meanings[s];
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (!(sought[s].dimension == candidates[c].dimension)) continue;
       Pairing pairing{.sought = s, .candidate = c, .likeness = Likeness(meaning, candidates[c].meaning)};
@@ -115,33 +123,79 @@ ChannelMatch MatchOf(const Pairing& pairing, const SoughtChannel& sought, const 
   return match;
 }
 
+bool AreOfOneKind(const NameMeaning& one, const NameMeaning& other) { return one.words == other.words; }
+
+bool AreAtOnePlace(const NameMeaning& one, const NameMeaning& other) {
+  return one.front == other.front && one.left == other.left && (one.front != 0 || one.left != 0);
+}
+
+/// The channels that were not matched, of which others of their kind were.
+class Kin {
+ public:
+  Kin(const std::vector<SoughtChannel>& sought, const std::vector<NameMeaning>& meanings,
+      const std::vector<Candidate>& candidates, const CorrelationOf& correlation)
+      : sought_(sought), meanings_(meanings), candidates_(candidates), correlation_(correlation) {}
+
+  /// `pairs`: of each sought the place of its candidate.
+  void Add(std::vector<std::optional<std::size_t>> pairs, std::vector<std::optional<ChannelMatch>>& found) const {
+    for (std::size_t s = 0; s < sought_.size(); ++s)
+      for (std::size_t c = 0; c < candidates_.size() && !pairs[s]; ++c) {
+        const bool is_taken = std::find(pairs.begin(), pairs.end(), c) != pairs.end();
+        if (is_taken || !(sought_[s].dimension == candidates_[c].dimension)) continue;
+        if (!AreAtOnePlace(meanings_[s], candidates_[c].meaning) || !HasKin(s, c, pairs)) continue;
+        const Pairing pairing{
+            .sought = s, .candidate = c, .correlation = MeanCorrelation(sought_[s].name, candidates_[c], correlation_)};
+        found[s] = MatchOf(pairing, sought_[s], candidates_[c]);
+        found[s]->by = ChannelMatch::By::kKind;
+        pairs[s] = c;
+      }
+  }
+
+ private:
+  bool HasKin(std::size_t s, std::size_t c, const std::vector<std::optional<std::size_t>>& pairs) const {
+    for (std::size_t other = 0; other < sought_.size(); ++other)
+      if (pairs[other] && AreOfOneKind(meanings_[s], meanings_[other]) &&
+          AreOfOneKind(candidates_[c].meaning, candidates_[*pairs[other]].meaning))
+        return true;
+    return false;
+  }
+
+  const std::vector<SoughtChannel>& sought_;
+  const std::vector<NameMeaning>& meanings_;
+  const std::vector<Candidate>& candidates_;
+  const CorrelationOf& correlation_;
+};
+
 }  // namespace
 
 bool ChannelMatch::IsSure() const {
   // A vehicle whose values are not fitted moves about as the real one does.
   const double enough = by == By::kName ? 0.2 : 0.5;
-  return by != By::kMotion && rival.empty() && correlation.value_or(1) > enough;
+  return by != By::kMotion && by != By::kKind && rival.empty() && correlation.value_or(1) > enough;
 }
 
 std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought,
                                         const std::vector<OfferedChannel>& offered, bool has_sides,
                                         const CorrelationOf& correlation) {
   const std::vector<Candidate> candidates = CandidatesOf(offered, has_sides);
-  const std::vector<Pairing> pairings = PairingsOf(sought, candidates, correlation);
-  std::vector<bool> is_found(sought.size());
+  const std::vector<NameMeaning> meanings = MeaningsOfAll(sought, has_sides);
+  const std::vector<Pairing> pairings = PairingsOf(sought, meanings, candidates, correlation);
+  std::vector<std::optional<std::size_t>> pairs(sought.size());
   std::vector<bool> is_taken(candidates.size());
   std::vector<std::optional<ChannelMatch>> found(sought.size());
   for (const Pairing& best : pairings) {
-    if (is_found[best.sought] || is_taken[best.candidate]) continue;
+    if (pairs[best.sought] || is_taken[best.candidate]) continue;
     ChannelMatch match = MatchOf(best, sought[best.sought], candidates[best.candidate]);
     for (const Pairing& other : pairings) {
       const bool is_rival = other.sought == best.sought && other.candidate != best.candidate &&
                             !is_taken[other.candidate] && other.score > best.score - kNear;
       if (is_rival && match.by != ChannelMatch::By::kName) match.rival = TextOf(candidates[other.candidate]);
     }
-    is_found[best.sought] = is_taken[best.candidate] = true;
+    pairs[best.sought] = best.candidate;
+    is_taken[best.candidate] = true;
     found[best.sought] = std::move(match);
   }
+  Kin(sought, meanings, candidates, correlation).Add(pairs, found);
   std::vector<ChannelMatch> matches;
   for (std::optional<ChannelMatch>& match : found)
     if (match) matches.push_back(*std::move(match));

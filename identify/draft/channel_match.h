@@ -19,7 +19,8 @@ struct OfferedChannel {
 
 /// What a sensor, a post or a tyre of the vehicle is measured by.
 struct ChannelMatch {
-  enum class By { kName, kLikeName, kMotion };
+  /// By its kind: named like another whose place alone differs, which was matched to such a one.
+  enum class By { kName, kLikeName, kKind, kMotion };
 
   std::string name;
   ChannelSource source;
@@ -44,7 +45,8 @@ struct SoughtChannel {
 /// Of a sought channel and an offered one; nothing where it is not known.
 using CorrelationOf = std::function<std::optional<double>(const std::string& sought, const std::string& offered)>;
 
-/// Matches by equal names, then by what names say of part and place, then by motion alone; each channel once. In a
+/// Matches by equal names, then by what names say of part and place, then by motion alone; each channel once. Last come
+/// channels of which others of their kind were matched, such as the rear one beside the front one. In a
 /// vehicle of one side, `has_sides` false, left and right channels are taken together. The sign is that of the
 /// correlation. What has no match is not in the list.
 std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought,

@@ -86,6 +86,25 @@ void MatchPosts(const Vehicle& vehicle, FileReading& reading) {
   }
 }
 
+/// Which posts have no channel, and how a channel is called so that it is found.
+std::string PostsMissing(const Vehicle& vehicle, const FileReading& reading) {
+  std::string missing;
+  std::string example;
+  for (const Post& post : vehicle.posts) {
+    const bool is_found = std::any_of(reading.posts.begin(), reading.posts.end(),
+                                      [&](const ChannelMatch& match) { return match.name == post.name; });
+    if (is_found) continue;
+    missing += (missing.empty() ? "'" : ", '") + post.name + "'";
+    if (example.empty()) example = post.name;
+  }
+  std::string offered;
+  for (const OfferedChannel& channel : reading.channels)
+    if (channel.dimension == kLength) offered += (offered.empty() ? "" : ", ") + channel.name;
+  return "no channel found for post " + missing + ": call its displacement post_" + example + " or the like (" +
+         "\"Actuator " + example + "\", \"Stempel " + example +
+         "\"; F, R, FL, VL and so on for places); displacements here: " + (offered.empty() ? "none" : offered);
+}
+
 /// Of each post of the vehicle: the mean of its channels.
 std::vector<double> ShapeOf(const Vehicle& vehicle, const FileReading& reading, const MeasuredResponses& measured,
                             const PostShares& shares) {
@@ -107,8 +126,9 @@ void AddChannels(const RecordedTable& table, const std::string& time, FileReadin
     const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
     const bool is_there = std::any_of(reading.channels.begin(), reading.channels.end(),
                                       [&](const OfferedChannel& channel) { return channel.name == name; });
-    if (name != time && !is_there && unit && !table.HoldsText(column))
-      reading.channels.push_back({name, unit->dimension});
+    if (name == time || is_there || table.HoldsText(column)) continue;
+    if (unit) reading.channels.push_back({name, unit->dimension});
+    else if (!name.empty()) reading.unread.emplace_back(name, table.unit(column));
   }
 }
 
@@ -183,7 +203,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   }
   MatchPosts(vehicle, reading);
   if (reading.posts.size() < vehicle.posts.size()) {
-    reading.reason = "no channels found for all posts";
+    reading.reason = PostsMissing(vehicle, reading);
     reading.is_without_posts = reading.posts.empty();
     if (reading.is_without_posts) ReadAtRestingPosts(table, vehicle, reading);
     return;

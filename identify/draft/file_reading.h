@@ -33,6 +33,8 @@ struct FileReading {
   std::vector<ChannelMatch> posts = {};
   /// Without times and posts, in known units.
   std::vector<OfferedChannel> channels = {};
+  /// Those of other columns of numbers: the name, and what stands in place of a unit.
+  std::vector<std::pair<std::string, std::string>> unread = {};
   std::vector<DraftedMotion> motions = {};
   /// Of what is over time.
   DraftedPreparation preparation = {};

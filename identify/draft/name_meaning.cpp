@@ -23,22 +23,31 @@ const std::map<std::string, Corner, std::less<>> kCorners = {
     {"rh", {0, -1}},  {"rechts", {0, -1}}};
 
 const std::map<std::string, std::string, std::less<>> kWords = {
-    {"chassis", "body"},  {"sprung", "body"},      {"frame", "body"},    {"cab", "body"},         {"aufbau", "body"},
-    {"top", "body"},      {"hub", "axle"},         {"unsprung", "axle"}, {"upright", "axle"},     {"knuckle", "axle"},
-    {"wheel", "axle"},    {"achse", "axle"},       {"rad", "axle"},      {"spindle", "axle"},     {"damper", "strut"},
-    {"shock", "strut"},   {"spring", "strut"},     {"susp", "strut"},    {"suspension", "strut"}, {"lvdt", "strut"},
-    {"defl", "strut"},    {"deflection", "strut"}, {"travel", "strut"},  {"pot", "strut"},        {"feder", "strut"},
-    {"tire", "tyre"},     {"load", "tyre"},        {"loadcell", "tyre"}, {"cell", "tyre"},        {"pan", "tyre"},
-    {"wheelpan", "tyre"}, {"fz", "tyre"},          {"contact", "tyre"},  {"radlast", "tyre"},     {"actuator", "post"},
-    {"act", "post"},      {"ram", "post"},         {"platform", "post"}, {"road", "post"},        {"ground", "post"},
-    {"exciter", "post"},  {"table", "post"},       {"stempel", "post"},  {"cog", "cg"},           {"centre", "cg"},
-    {"center", "cg"}};
+    {"chassis", "body"},    {"sprung", "body"},      {"frame", "body"},       {"cab", "body"},
+    {"aufbau", "body"},     {"top", "body"},         {"hub", "axle"},         {"unsprung", "axle"},
+    {"upright", "axle"},    {"knuckle", "axle"},     {"wheel", "axle"},       {"achse", "axle"},
+    {"rad", "axle"},        {"spindle", "axle"},     {"damper", "strut"},     {"shock", "strut"},
+    {"spring", "strut"},    {"susp", "strut"},       {"suspension", "strut"}, {"lvdt", "strut"},
+    {"defl", "strut"},      {"deflection", "strut"}, {"travel", "strut"},     {"pot", "strut"},
+    {"feder", "strut"},     {"tire", "tyre"},        {"load", "tyre"},        {"loadcell", "tyre"},
+    {"cell", "tyre"},       {"pan", "tyre"},         {"wheelpan", "tyre"},    {"fz", "tyre"},
+    {"contact", "tyre"},    {"radlast", "tyre"},     {"actuator", "post"},    {"act", "post"},
+    {"ram", "post"},        {"platform", "post"},    {"road", "post"},        {"ground", "post"},
+    {"exciter", "post"},    {"table", "post"},       {"stempel", "post"},     {"cog", "cg"},
+    {"centre", "cg"},       {"center", "cg"},        {"karo", "body"},        {"karosserie", "body"},
+    {"kar", "body"},        {"bdy", "body"},         {"chass", "body"},       {"fahrgestell", "body"},
+    {"radtraeger", "axle"}, {"whl", "axle"},         {"nabe", "axle"},        {"fw", "strut"},
+    {"federweg", "strut"},  {"daempfer", "strut"},   {"federbein", "strut"},  {"dmp", "strut"},
+    {"damp", "strut"},      {"spr", "strut"},        {"shk", "strut"},        {"reifen", "tyre"},
+    {"radkraft", "tyre"},   {"kmd", "tyre"},         {"lc", "tyre"},          {"zylinder", "post"},
+    {"zyl", "post"},        {"cylinder", "post"},    {"cyl", "post"},         {"hydropuls", "post"},
+    {"plattform", "post"},  {"plat", "post"}};
 
 /// What a unit says as well, and what says nothing.
-constexpr std::array<std::string_view, 22> kQuantities = {
-    "a",  "acc",     "accel",  "acceleration", "s",     "z",        "x",      "y",
-    "f",  "force",   "disp",   "displacement", "pos",   "position", "height", "level",
-    "ch", "channel", "sensor", "static",       "kraft", "weg"};
+constexpr std::array<std::string_view, 25> kQuantities = {
+    "a",     "acc",          "accel",  "acceleration",   "s",      "z",     "x",  "y",       "f",      "force",
+    "disp",  "displacement", "pos",    "position",       "height", "level", "ch", "channel", "sensor", "static",
+    "kraft", "weg",          "beschl", "beschleunigung", "signal"};
 
 bool IsQuantity(std::string_view word) {
   return std::find(kQuantities.begin(), kQuantities.end(), word) != kQuantities.end();
@@ -73,15 +82,59 @@ std::optional<Corner> CornerBehind(std::string& word) {
   return corner->second;
 }
 
-}  // namespace
+/// Words that mean places beside each other, where none of `unless` is there as well.
+struct Siblings {
+  const char* one;
+  const char* other;
+  Corner of_one;
+  Corner of_other;
+  std::array<const char*, 2> unless;
+};
 
-NameMeaning MeaningOf(std::string_view name) {
+const std::array<Siblings, 9> kSiblings = {{{"f", "r", {1, 0}, {-1, 0}, {"l", ""}},
+                                            {"v", "h", {1, 0}, {-1, 0}, {"l", ""}},
+                                            {"l", "r", {0, 1}, {0, -1}, {"f", "v"}},
+                                            {"li", "re", {0, 1}, {0, -1}, {"fr", ""}},
+                                            {"fr", "re", {1, 0}, {-1, 0}, {"li", "fl"}},
+                                            {"vo", "hi", {1, 0}, {-1, 0}, {"", ""}},
+                                            {"va", "ha", {1, 0}, {-1, 0}, {"", ""}},
+                                            {"fa", "ra", {1, 0}, {-1, 0}, {"", ""}},
+                                            {"f", "b", {1, 0}, {-1, 0}, {"r", "l"}}}};
+
+/// What a word means beside the other words that names of its kind have in its place.
+std::optional<Corner> CornerAmong(const std::string& word, const std::set<std::string>& kin) {
+  for (const Siblings& pair : kSiblings) {
+    if (word != pair.one && word != pair.other) continue;
+    const bool are_there = kin.contains(pair.one) && kin.contains(pair.other);
+    if (are_there && !kin.contains(pair.unless[0]) && !kin.contains(pair.unless[1]))
+      return word == pair.one ? pair.of_one : pair.of_other;
+  }
+  return std::nullopt;
+}
+
+/// Of the last word of a name that has others.
+std::optional<Corner> CornerAlone(const std::string& word, bool has_sides) {
+  if (word == "f") return Corner{1, 0};
+  if (word == "l") return Corner{0, 1};
+  if (word == "r" && !has_sides) return Corner{-1, 0};
+  return std::nullopt;
+}
+
+/// By the place of the word.
+using Places = std::map<std::size_t, Corner>;
+
+NameMeaning MeaningOfWords(const std::vector<std::string>& words, const Places& places) {
   NameMeaning meaning;
   const auto add = [&](const Corner& corner) {
     if (corner.front != 0) meaning.front = corner.front;
     if (corner.left != 0) meaning.left = corner.left;
   };
-  for (std::string word : Split(name)) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string word = words[i];
+    if (const auto place = places.find(i); place != places.end()) {
+      add(place->second);
+      continue;
+    }
     if (const auto corner = kCorners.find(word); corner != kCorners.end()) {
       add(corner->second);
       continue;
@@ -92,6 +145,37 @@ NameMeaning MeaningOf(std::string_view name) {
     meaning.words.insert(known == kWords.end() ? word : known->second);
   }
   return meaning;
+}
+
+}  // namespace
+
+NameMeaning MeaningOf(std::string_view name) { return MeaningOfWords(Split(name), {}); }
+
+std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool has_sides) {
+  std::vector<std::vector<std::string>> all;
+  /// What stands in one place of names that are else alike.
+  std::map<std::pair<std::size_t, std::vector<std::string>>, std::set<std::string>> kin;
+  const auto others = [](std::vector<std::string> words, std::size_t place) {
+    words[place] = "";
+    return std::pair(place, std::move(words));
+  };
+  for (const std::string& name : names) {
+    all.push_back(Split(name));
+    for (std::size_t i = 0; i < all.back().size(); ++i)
+      if (all.back()[i].size() <= 2) kin[others(all.back(), i)].insert(all.back()[i]);
+  }
+  std::vector<NameMeaning> meanings;
+  for (const std::vector<std::string>& words : all) {
+    Places places;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words.size() < 2 || words[i].size() > 2) continue;
+      std::optional<Corner> corner = CornerAmong(words[i], kin.at(others(words, i)));
+      if (!corner && i + 1 == words.size()) corner = CornerAlone(words[i], has_sides);
+      if (corner) places.emplace(i, *corner);
+    }
+    meanings.push_back(MeaningOfWords(words, places));
+  }
+  return meanings;
 }
 
 double Likeness(const NameMeaning& one, const NameMeaning& other) {

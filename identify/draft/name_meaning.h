@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fourpost {
 
@@ -18,6 +19,12 @@ struct NameMeaning {
 
 /// Of names such as "F_tyre_FL", "Damper Pot LF", "accHubRR", "zfl" and "Radlast_VL" (German corners and words, too).
 NameMeaning MeaningOf(std::string_view name);
+
+/// Of the names of one recording or one vehicle. What stands for a place only beside others of its kind is read by
+/// these: "pot_F" and "pot_R" are front and rear, "pot_L" and "pot_R" left and right, "Weg v" and "Weg h" German front
+/// and rear. An "F", "R" or "L" that stands alone at the end means front, rear (not where posts stand left and right,
+/// for it may be right) and left.
+std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool has_sides);
 
 /// From 0, nothing in common, to 1, the same; -1 where they are at different places.
 double Likeness(const NameMeaning& one, const NameMeaning& other);

@@ -40,16 +40,9 @@ bool AreSame(const std::vector<ChannelMatch>& one, const std::vector<ChannelMatc
 }
 
 /// "look at: ..." of a match that is not sure; else empty.
-std::string DoubtOf(const ChannelMatch& match) {
-  if (match.IsSure()) return "";
-  std::string doubt;
-  const auto add = [&](const std::string& text) { doubt += (doubt.empty() ? "" : "; ") + text; };
-  if (match.by == ChannelMatch::By::kMotion) add("by its motion alone");
-  if (match.source.channels.front().factor < 0) add("moves against the vehicle, so its sign is turned");
-  else if (match.by != ChannelMatch::By::kMotion && match.rival.empty()) add("moves otherwise than the vehicle");
-  if (match.correlation) add("correlation " + Rounded(*match.correlation, 2));
-  if (!match.rival.empty()) add("or " + match.rival);
-  return "look at: " + doubt;
+std::string LookAt(const ChannelMatch& match) {
+  const std::string doubt = DoubtOf(match);
+  return doubt.empty() ? "" : "look at: " + doubt;
 }
 
 /// Lines `name: channel`, those that names do not say; `others: by name` where there are such as well.
@@ -59,7 +52,7 @@ std::string ChannelLines(const std::vector<ChannelMatch>& matches, const std::st
   for (const ChannelMatch& match : matches) {
     has_named = has_named || IsNamedSo(match);
     if (IsNamedSo(match) && match.IsSure()) continue;
-    const std::string doubt = DoubtOf(match);
+    const std::string doubt = LookAt(match);
     const bool drifts = std::any_of(match.source.channels.begin(), match.source.channels.end(),
                                     [](const SourceChannel& channel) { return channel.has_trend; });
     const std::string why = doubt.empty() && drifts ? "drifts more than it moves" : doubt;
@@ -159,9 +152,10 @@ class Drafter {
     const std::vector<SoughtChannel> sought = is_loads ? SoughtTyres(vehicle_) : SoughtSensors(vehicle_);
     if (reading.kind != Kind::kUnread) {
       drafted.is_used = true;
-      drafted.matches = MatchChannels(
-          sought, reading.channels, HasSides(vehicle_),
-          [&](const std::string& name, const std::string& channel) { return evidence.Of(name, channel); });
+      const CorrelationOf correlation = [&](const std::string& name, const std::string& channel) {
+        return evidence.Of(name, channel);
+      };
+      drafted.matches = MatchChannels(sought, reading.channels, HasSides(vehicle_), correlation);
       for (ChannelMatch& match : drafted.matches) RemoveDrifts(reading.preparation, match);
       for (const SoughtChannel& one : sought)
         if (std::none_of(drafted.matches.begin(), drafted.matches.end(),
@@ -169,6 +163,8 @@ class Drafter {
           drafted.sensors_left.push_back(one.name);
       for (const OfferedChannel& channel : reading.channels)
         if (!IsMatched(channel.name, drafted.matches)) drafted.channels_left.push_back(channel.name);
+      drafted.channels = ChannelsOf(reading, drafted.matches, sought, correlation);
+      drafted.without_channel = WithoutChannel(drafted.matches, sought);
     }
     drafted_.push_back(std::move(drafted));
   }
@@ -240,7 +236,10 @@ class Drafter {
     for (const ChannelMatch& post : reading.posts)
       text += (text.empty() ? "" : ", ") + post.name + ": " +
               SourceText(takes_several ? post.source : ChannelSource{.channels = {post.source.channels.front()}});
-    return key + "{" + text + "}\n";
+    std::string doubts;
+    for (const ChannelMatch& post : reading.posts)
+      if (!post.IsSure()) doubts += (doubts.empty() ? "  # look at: " : "; ") + post.name + ": " + DoubtOf(post);
+    return key + "{" + text + "}" + doubts + "\n";
   }
 
   void AddHistories() {
@@ -284,6 +283,7 @@ class Drafter {
       if (readings_[i].kind != Kind::kBench) continue;
       drafted_[i].use = "bench";
       drafted_[i].channels_left.clear();
+      drafted_[i].channels.clear();
       if (list.empty())
         for (const auto& [key, dimension] : {std::pair("displacement", kLength), std::pair("force", kForce)})
           if (const std::string name = BenchChannel(readings_[i], dimension); name != key)
@@ -307,6 +307,17 @@ class Drafter {
     }
   }
 
+  /// Of each channel whether its match is sure, and what would make it so.
+  static std::string ChannelComments(const DraftedFile& file) {
+    if (file.channels.empty()) return "";
+    std::string text = "# " + file.path.filename().string() + ", channel by channel:\n";
+    for (const DraftedChannel& channel : file.channels)
+      text += "#   " + channel.name + (channel.of.empty() ? "" : " = " + channel.of) + ": " + StateName(channel.state) +
+              (channel.why.empty() ? "" : "; " + channel.why) + '\n';
+    if (!file.without_channel.empty()) text += "#   without a channel: " + Listed(file.without_channel) + '\n';
+    return text;
+  }
+
   /// What a user should know before the first line.
   std::string Head(const StudyDraft& draft) const {
     std::string text = "# Drafted from recordings by the names of channels, their units and how they move.\n";
@@ -314,9 +325,7 @@ class Drafter {
       const DraftedFile& file = drafted_[i];
       const std::string name = file.path.filename().string();
       if (!file.is_used) text += "# not used: " + name + ": " + file.use + '\n';
-      if (!file.channels_left.empty())
-        text += "# " + name + ", channels without a sensor: " + Listed(file.channels_left) + '\n';
-      if (!file.sensors_left.empty()) text += "# " + name + ", without a channel: " + Listed(file.sensors_left) + '\n';
+      text += ChannelComments(file);
       if (IsSine(i) && shared_ && *shared_ != i && !AreSame(file.matches, drafted_[*shared_].matches))
         text += "# look at: channels of " + name + " are called otherwise than those of " +
                 drafted_[*shared_].path.filename().string() + ", and a study has one set of names for both\n";

@@ -6,6 +6,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "identify/draft/channel_match.h"
+#include "identify/draft/drafted_channels.h"
 #include "vehicles/description/vehicle.h"
 
 namespace fourpost {
@@ -16,11 +17,15 @@ struct DraftedFile {
   /// What is made of it: "recordings", "histories", "static_loads", or why nothing is.
   std::string use;
   bool is_used = false;
-  /// What of the vehicle its channels were matched to, posts first.
+  /// What of the vehicle its channels were matched to, without posts.
   std::vector<ChannelMatch> matches = {};
+  /// All channels, posts first.
+  std::vector<DraftedChannel> channels = {};
   /// Channels that nothing was matched to, and what has no channel.
   std::vector<std::string> channels_left = {};
   std::vector<std::string> sensors_left = {};
+  /// The latter with what each measures.
+  std::vector<std::string> without_channel = {};
 };
 
 struct StudyDraft {

@@ -280,6 +280,27 @@ class Preparation(ProgramTest):
         self.assert_as_good(joined, 0.05)
         self.assertGreater(max(self.errors("file: one.csv, with: [two.csv]").values()), 0.5)
 
+    def test_finds_that_another_recorder_is_3_ms_ahead(self):
+        self.save("one.csv", [row[:3] for row in self.rows], self.names[:3], self.units[:3])
+        self.save("two.csv", [[row[0] + 0.003, *row[3:]] for row in self.rows[::2]],
+                  ["time"] + self.names[3:], ["s"] + self.units[3:])
+        late = self.errors("file: one.csv, with: [two.csv]")
+        stated = self.errors("file: one.csv, with: [{file: two.csv, delay: 3 ms}]")
+        self.assertLess(max(stated.values()), 0.05)
+        self.assertGreater(max(late.values()), 20 * max(stated.values()))
+        # A fit that cannot explain it by its parameters names the channels.
+        self.write("study.yaml", "vehicle: car.urdf\nhistories:\n  - {file: one.csv, with: [two.csv]}\n")
+        found = self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest").stderr
+        self.assertIn("3", found)
+
+    def test_says_in_the_result_what_was_done(self):
+        self.write("study.yaml", "vehicle: car.urdf\nfree: [k]\nhistories:\n  - {file: good.csv, start: 2 s, "
+                   "end: 18 s, resample: 400 Hz, channels: {s_strut: {channel: s_strut, trend: remove, delay: 1 ms}}}\n")
+        self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest")
+        done = json.loads((self.folder / "run/result.json").read_text())["histories"][0]["preparation"]
+        self.assertEqual(done, ["resampled to 400 Hz", "s_strut: trend taken away", "s_strut: delay of 1 ms taken back",
+                                "cut to 2 .. 18 s"])
+
     def test_takes_offset_and_trend_away(self):
         drifting = [list(row) for row in self.rows]
         strut = self.names.index("s_strut")

@@ -29,6 +29,33 @@ TEST(NameMeaning, OtherPlacesHaveNothingInCommon) {
   EXPECT_LT(Likeness(MeaningOf("a_body_FL"), MeaningOf("Hub Acc LF")), 1);
 }
 
+TEST(NameMeaning, ReadsLettersByOthersOfTheirKind) {
+  const auto places = [](const std::vector<std::string>& names, bool has_sides) {
+    std::string text;
+    for (const NameMeaning& meaning : MeaningsOf(names, has_sides))
+      text += std::string(meaning.front > 0   ? "F"
+                          : meaning.front < 0 ? "R"
+                                              : "") +
+              (meaning.left > 0   ? "l"
+               : meaning.left < 0 ? "r"
+                                  : "") +
+              " ";
+    return text;
+  };
+  EXPECT_EQ(places({"pot_F", "pot_R"}, true), "F R ");
+  EXPECT_EQ(places({"pot_L", "pot_R"}, true), "l r ");
+  EXPECT_EQ(places({"Weg v", "Weg h", "z_body"}, true), "F R  ");
+  EXPECT_EQ(places({"pot_V_L", "pot_V_R", "pot_H_L", "pot_H_R"}, true), "Fl Fr Rl Rr ");
+  EXPECT_EQ(places({"pot_Li", "pot_Re"}, true), "l r ");
+  EXPECT_EQ(places({"pot_Fr", "pot_Re"}, true), "F R ");
+  EXPECT_EQ(places({"pot_FL", "pot_FR", "pot_RL", "pot_RR"}, true), "Fl Fr Rl Rr ");
+  // Alone: right or rear?
+  EXPECT_EQ(places({"post_r"}, true), " ");
+  EXPECT_EQ(places({"post_r", "acc_v"}, false), "R  ");
+  // A force is no place.
+  EXPECT_EQ(places({"F", "F_tyre", "R_tyre"}, true), " F R ");
+}
+
 std::string Matched(const std::vector<ChannelMatch>& matches, const std::string& name) {
   for (const ChannelMatch& match : matches)
     if (match.name == name) return SourceText(match.source) + (match.IsSure() ? "" : " ?");
@@ -58,6 +85,30 @@ TEST(ChannelMatch, MotionTurnsSignsAndFindsWhatNoNameSays) {
   const std::vector<ChannelMatch> matches = MatchChannels(kSought, offered, true, correlation);
   EXPECT_EQ(Matched(matches, "a_body_front"), "{channel: a_body_front, sign: -1} ?");
   EXPECT_EQ(Matched(matches, "F_tyre_front"), "ch 7 ?");
+}
+
+TEST(ChannelMatch, TakesFrontAndRearOfOneKindTogether) {
+  const std::vector<SoughtChannel> posts = {{"post_front", kLength}, {"post_rear", kLength}};
+  const std::vector<ChannelMatch> short_names = MatchChannels(posts, {{"post_r", kLength}, {"post_f", kLength}}, false);
+  EXPECT_EQ(Matched(short_names, "post_front"), "post_f");
+  EXPECT_EQ(Matched(short_names, "post_rear"), "post_r");
+  const std::vector<SoughtChannel> struts = {{"s_strut_front", kLength}, {"s_strut_rear", kLength}};
+  const std::vector<ChannelMatch> pots = MatchChannels(struts, {{"pot_R", kLength}, {"pot_F", kLength}}, false);
+  EXPECT_EQ(Matched(pots, "s_strut_front"), "pot_F");
+  EXPECT_EQ(Matched(pots, "s_strut_rear"), "pot_R");
+}
+
+TEST(ChannelMatch, TakesWhatIsLeftOfAKindThatMotionFound) {
+  const std::vector<SoughtChannel> struts = {{"s_strut_front", kLength}, {"s_strut_rear", kLength}};
+  const auto correlation = [](const std::string& sought, const std::string& channel) -> std::optional<double> {
+    if (sought == "s_strut_front") return channel == "XY_F" ? 0.95 : 0.1;
+    return channel == "XY_F" ? 0.2 : 0.8;
+  };
+  const std::vector<ChannelMatch> matches =
+      MatchChannels(struts, {{"XY_F", kLength}, {"XY_R", kLength}, {"other_R", kLength}}, false, correlation);
+  EXPECT_EQ(Matched(matches, "s_strut_front"), "XY_F ?");
+  EXPECT_EQ(Matched(matches, "s_strut_rear"), "XY_R ?");
+  EXPECT_EQ(matches.back().by, ChannelMatch::By::kKind);
 }
 
 TEST(ChannelMatch, NamesARivalThatFitsAsWell) {
