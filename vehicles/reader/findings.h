@@ -114,8 +114,14 @@ inline const Finding kBindTurned{"bind-turned", Severity::kError,
 inline const Finding kBindTwice{"bind-twice", Severity::kError, "{} is bound twice", "remove one of the two"};
 inline const Finding kBindDimension{"bind-dimension", Severity::kError, "{} is {}, but the parameter is {}",
                                     "bind a number of the same dimension, or correct the unit"};
-inline const Finding kBindValue{"bind-value", Severity::kError, "{} is {} in the tree, but factor times value is {}",
-                                "make them equal"};
+inline const Finding kBindValue{"bind-value", Severity::kError,
+                                "{} is {} in the tree, but factor times the value of fp:parameter '{}' is {}",
+                                "write \"{}\" in place of the number in the tree and remove the fp:bind, so that the "
+                                "value is written once; or make "
+                                "them equal"};
+inline const Finding kTreeReferenceUnreadable{
+    "tree-reference-unreadable", Severity::kError, "\"{}\" in {} cannot be read",
+    "write a number in SI, or a parameter as in \"$m\", \"-$m\" or \"0.5*$m\", without blanks"};
 inline const Finding kBindMirrored{"bind-mirrored", Severity::kError,
                                    "{} is a number that follows link '{}' by fp:mirror",
                                    "bind that one, or write link '{}' out"};

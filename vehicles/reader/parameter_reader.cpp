@@ -8,6 +8,7 @@
 #include "analysis/text/number.h"
 #include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
+#include "vehicles/reader/tree_reference.h"
 #include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/findings.h"
 
@@ -321,8 +322,15 @@ std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, con
   const Scalar scalar{.value = *factor * parameter.value, .parameter = found->second, .factor = *factor};
   const Found fault = BindFault(scalar, parameter.dimension, literal, dimension);
   if (!fault) return scalar;
-  if (IsMade(*bind.element)) faults_.Follow();
-  else Fault(bind, "to", fault);
+  if (IsTreeReference(*bind.element)) {
+    std::vector<std::string> words = fault.words;
+    words.insert(words.begin(), TreeReferenceText(*bind.element));
+    faults_.Report(*fault.kind, LineOf(*bind.element), words);
+  } else if (IsMade(*bind.element)) {
+    faults_.Follow();
+  } else {
+    Fault(bind, "to", fault);
+  }
   return std::nullopt;
 }
 
@@ -330,7 +338,11 @@ Found ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, d
                                  const Dimension& wanted) const {
   if (given != wanted) return {&kBindDimension, {WithArticle(wanted), WithArticle(given)}};
   const auto text = [&](double number) { return FormatNumber(number) + " " + SiUnit(wanted); };
-  if (!Agrees(literal, scalar.value)) return {&kBindValue, {text(literal), text(scalar.value)}};
+  if (!Agrees(literal, scalar.value)) {
+    const std::string& name = parameters_[static_cast<std::size_t>(scalar.parameter)].name;
+    const std::string factor = scalar.factor == 1 ? "" : scalar.factor == -1 ? "-" : FormatNumber(scalar.factor) + "*";
+    return {&kBindValue, {text(literal), name, text(scalar.value), factor + "$" + name}};
+  }
   const Sign sign = wanted == kMass ? Sign::kNotNegative : Sign::kAny;
   const Finding* fault = RangeFault(Least(scalar), Greatest(scalar), sign);
   return fault ? Found{fault, {kOverRange}} : Found{};

@@ -5,6 +5,7 @@
 
 #include "analysis/text/number.h"
 #include "vehicles/reader/tree_binding.h"
+#include "vehicles/reader/tree_reference.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -42,7 +43,7 @@ class UseFinder {
   }
 
   void AddBind(const XMLElement& parameter, const XMLElement& bind) {
-    if (IsMade(bind)) return;
+    if (IsMade(bind) && !IsTreeReference(bind)) return;
     const std::string path = AttributeText(bind, "to").value_or("");
     uses_.push_back({.parameter = AttributeText(parameter, "name").value_or(""),
                      .dimension = DimensionOfPath(path),
@@ -112,7 +113,8 @@ std::vector<ParameterUse> FindParameterUses(const XMLElement& robot) {
 std::vector<ParameterUse> FindParameterUses(const std::string& text) {
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
-  const XMLElement* const robot = document.RootElement();
+  XMLElement* const robot = document.RootElement();
+  if (robot) ReplaceTreeReferences(*robot, nullptr);
   return robot ? FindParameterUses(*robot) : std::vector<ParameterUse>();
 }
 

@@ -7,6 +7,7 @@
 #include "analysis/text/number.h"
 #include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
+#include "vehicles/reader/tree_reference.h"
 #include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/tag.h"
 
@@ -107,8 +108,9 @@ class BindingReader {
  private:
   /// `words` follow the attribute.
   void Fault(const Finding& kind, const Tag& bind, std::vector<std::string> words = {}) {
-    if (IsMade(*bind.element)) return faults_.Follow();
-    words.insert(words.begin(), Quoted("to", bind));
+    const bool is_reference = IsTreeReference(*bind.element);
+    if (IsMade(*bind.element) && !is_reference) return faults_.Follow();
+    words.insert(words.begin(), is_reference ? TreeReferenceText(*bind.element) : Quoted("to", bind));
     faults_.Report(kind, bind.Line("to"), words);
   }
 

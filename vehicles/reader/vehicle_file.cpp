@@ -14,6 +14,7 @@
 #include "vehicles/reader/solid_reader.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/reader/tree_binding.h"
+#include "vehicles/reader/tree_reference.h"
 #include "vehicles/reader/urdf_reader.h"
 #include "vehicles/reader/urdf_tree.h"
 #include "vehicles/tags/file_faults.h"
@@ -56,10 +57,11 @@ std::string Printed(const tinyxml2::XMLDocument& document) {
 }
 
 Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults) {
-  const bool has_replaced = ReplaceDrakeTags(robot, faults);
+  const bool has_drake = ReplaceDrakeTags(robot, faults);
+  const bool has_references = ReplaceTreeReferences(robot, &faults);
   CheckTags(robot, faults);
   TwinNames twins = AddTwins(robot, faults);
-  const bool is_as_written = twins.empty() && !has_replaced;
+  const bool is_as_written = twins.empty() && !has_drake && !has_references;
   faults.SetTwins(twins);
   const UrdfTree tree = ReadUrdfTree(robot, faults);
   // urdfdom stops at its first fault and knows no lines: it reads only what is sound so far.

@@ -1,4 +1,5 @@
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include <tinyxml2.h>
@@ -92,21 +93,30 @@ void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::spa
 void ReplaceBound(const XMLElement* element, std::string_view attribute, const Scalar& number,
                   std::span<const double> values, TextEdits& edits) {
   if (!element || number.parameter < 0) return;
-  const std::optional<double> written = ParseNumber(Trimmed(AttributeText(*element, attribute).value_or("")));
+  const std::string text = AttributeText(*element, attribute).value_or("");
+  // A reference follows by itself.
+  if (text.find('$') != std::string::npos) return;
+  const std::optional<double> written = ParseNumber(Trimmed(text));
   if (!written || !Agrees(*written, number.At(values)))
     edits.Replace(*element, attribute, FormatNumber(number.At(values)));
 }
 
-/// The centre of mass stands as three numbers in one attribute.
+/// The centre of mass stands as three numbers in one attribute; those that are references follow by themselves.
 void ReplaceCom(const XMLElement* origin, const Link& link, std::span<const double> values, TextEdits& edits) {
   if (!origin) return;
-  const std::optional<Eigen::Vector3d> written = ParseVector(AttributeText(*origin, "xyz").value_or(""));
+  std::istringstream words(AttributeText(*origin, "xyz").value_or(""));
   const Eigen::Vector3d com = link.ComAt(values);
-  const auto agrees = [&](Eigen::Index i) {
-    return link.com[static_cast<std::size_t>(i)].parameter < 0 || Agrees((*written)[i], com[i]);
-  };
-  if (!written || (agrees(0) && agrees(1) && agrees(2))) return;
-  edits.Replace(*origin, "xyz", FormatNumber(com.x()) + ' ' + FormatNumber(com.y()) + ' ' + FormatNumber(com.z()));
+  std::string text;
+  bool has_changed = false;
+  std::size_t i = 0;
+  for (std::string word; i < link.com.size() && words >> word; ++i) {
+    const std::optional<double> written = ParseNumber(word);
+    const double now = com[static_cast<Eigen::Index>(i)];
+    const bool is_right = !written || link.com[i].parameter < 0 || Agrees(*written, now);
+    has_changed = has_changed || !is_right;
+    text += (i == 0 ? "" : " ") + (is_right ? word : FormatNumber(now));
+  }
+  if (has_changed && i == link.com.size()) edits.Replace(*origin, "xyz", text);
 }
 
 void ReplaceInertia(const XMLElement& inertial, const Link& link, std::span<const double> values, TextEdits& edits) {

@@ -84,6 +84,36 @@ TEST_F(VehicleText, LeavesOutAPriorThatTheVehicleDoesNotHave) {
             Replaced(kSmallVehicle, "value=\"15 N/mm\" ", "value=\"15 N/mm\"  "));
 }
 
+/// The small vehicle with each value written once, in its parameter.
+std::string WithReferences() {
+  std::string text = Replaced(kSmallVehicle, R"(<mass value="200"/>)", R"(<mass value="$m_body"/>)");
+  text = Replaced(text, R"(    <fp:bind to="link[body]/mass"/>)", "");
+  text = Replaced(text, R"(iyy="4")", R"(iyy="2*$I_body")");
+  return Replaced(text, R"(    <fp:bind to="link[body]/inertia/iyy" factor="2"/>)", "");
+}
+
+TEST_F(VehicleText, NumbersOfTheTreeMayNameTheirParameter) {
+  const std::string text = WithReferences();
+  const Vehicle vehicle = Read(text).value();
+  const Vehicle bound = Read(kSmallVehicle).value();
+  for (const std::vector<double>& values : {std::vector<double>{200, 2, 15000}, std::vector<double>{180, 2.5, 12000}}) {
+    EXPECT_EQ(vehicle.links[2].mass.At(values), bound.links[2].mass.At(values));
+    EXPECT_EQ(vehicle.links[2].inertia[1].At(values), bound.links[2].inertia[1].At(values));
+  }
+  std::string expected = Replaced(text, R"(value="200 kg")", R"(value="180 kg")");
+  EXPECT_EQ(Rewrite(text, {180, 2, 15000}), expected);
+}
+
+TEST_F(VehicleText, OneNumberOfACentreOfMassMayNameItsParameter) {
+  const std::string text = Replaced(
+      Replaced(kSmallVehicle, R"(<origin xyz="0.1 0 0.2"/>)", R"(<origin xyz="0.1 0 $h"/>)"),
+      "<fp:parameter name=\"k\"", "<fp:parameter name=\"h\" value=\"200 mm\" source=\"x\"/>\n<fp:parameter name=\"k\"");
+  const Vehicle vehicle = Read(text).value();
+  const std::vector<double> values = {200, 2, 0.3, 15000};
+  EXPECT_EQ(vehicle.links[2].ComAt(values), Eigen::Vector3d(0.1, 0, 0.3));
+  EXPECT_THAT(Rewrite(text, values), HasSubstr(R"(<origin xyz="0.1 0 $h"/>)"));
+}
+
 TEST_F(VehicleText, MovesMeshes) {
   const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / "quarter_car.urdf";
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
