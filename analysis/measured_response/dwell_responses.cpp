@@ -9,6 +9,37 @@
 #include "analysis/text/text_table.h"
 
 namespace fourpost {
+namespace {
+
+/// "no dwell from 2.0 to 8.1 s" of motions that are not used, for two seconds at least: too short for a dwell, or not
+/// steady.
+std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
+  constexpr double kLeast_s = 2;
+  constexpr double kMoves = 0.02;
+  const std::vector<double>& post = looked.recording.heights[looked.largest_post];
+  const double rate_Hz = looked.recording.rate_Hz;
+  double largest = 0;
+  for (const Dwell& dwell : looked.dwells) largest = std::max(largest, dwell.amplitude);
+  std::vector<std::string> list;
+  std::size_t begin = 0;
+  for (std::size_t d = 0; d <= looked.dwells.size(); ++d) {
+    const bool is_last = d == looked.dwells.size();
+    const auto end = is_last ? post.size() : std::min(post.size(), static_cast<std::size_t>(looked.dwells[d].start));
+    std::size_t first = begin;
+    std::size_t last = end;
+    // Rest at both ends is none.
+    while (first + 1 < last && std::abs(post[first + 1] - post[begin]) < kMoves * largest) ++first;
+    while (last > first + 1 && std::abs(post[last - 1] - post[end - 1]) < kMoves * largest) --last;
+    if (static_cast<double>(last) - static_cast<double>(first) > kLeast_s * rate_Hz)
+      list.push_back("no dwell from " + Rounded(static_cast<double>(first) / rate_Hz, 3) + " to " +
+                     Rounded(static_cast<double>(last) / rate_Hz, 3) +
+                     " s, where the posts move (four steady cycles at least are needed)");
+    if (!is_last) begin = std::min(post.size(), static_cast<std::size_t>(looked.dwells[d].end));
+  }
+  return list;
+}
+
+}  // namespace
 
 void DwellResponses::Add(const LookedAt& looked) {
   const RigSignals signals = looked.recording.Signals();
@@ -17,6 +48,7 @@ void DwellResponses::Add(const LookedAt& looked) {
     work_.Fault(kResponseNoDwell, looked.file, {looked.recording.posts[looked.largest_post]});
     return;
   }
+  for (std::string& missed : MotionsWithoutDwell(looked)) work_.out.preparations.push_back(std::move(missed));
   const std::vector<double> rest = LevelsAtRest(signals, looked.dwells);
   has_rest_ = has_rest_ && !rest.empty();
   for (DwellResponse& response : responses) {

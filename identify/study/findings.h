@@ -43,8 +43,8 @@ inline const Finding kScaleNotMeasured{
 
 // The rig, by what its channels say of each other: what is wrong, what else would explain it, how sure it is.
 
-inline const Finding kRigSign{"rig-sign", Severity::kError, "the sign is opposite: {}{} ({})",
-                              "write it with a minus sign in the study", Weight::kGrave};
+inline const Finding kRigSign{"rig-sign", Severity::kError, "the sign is opposite: {}{} ({})", "write {} in the study",
+                              Weight::kGrave};
 inline const Finding kRigExchanged{"rig-exchanged", Severity::kError, "channels are exchanged: {}{} ({})",
                                    "exchange their names in the study", Weight::kGrave};
 inline const Finding kRigUnit{"rig-unit", Severity::kError, "the unit is wrong: {}{} ({}); this is the ratio of {}",
@@ -52,7 +52,7 @@ inline const Finding kRigUnit{"rig-unit", Severity::kError, "the unit is wrong: 
 inline const Finding kRigScale{"rig-scale", Severity::kWarning, "the other channels contradict a scale: {}{} ({})",
                                "check its calibration", Weight::kGrave};
 inline const Finding kRigDelay{"rig-delay", Severity::kWarning, "the other channels contradict a time: {}{} ({})",
-                               "correct it by 'delay' in the study", Weight::kGrave};
+                               "write {} in the study", Weight::kGrave};
 inline const Finding kRigPlace{"rig-place", Severity::kWarning, "the other channels contradict a position: {}{} ({})",
                                "measure it and correct the vehicle file", Weight::kGrave};
 inline const Finding kRigPostsScale{"rig-posts-scale", Severity::kWarning,

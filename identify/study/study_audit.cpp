@@ -13,6 +13,7 @@
 #include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/study/findings.h"
+#include "identify/study_file/channel_source_text.h"
 
 namespace fourpost {
 namespace {
@@ -100,13 +101,35 @@ bool IsCertain(const Suspicion& suspicion) {
   return suspicion.rivals.empty() && suspicion.score > kBeyondDoubt && suspicion.next_score < 0.8 * suspicion.score;
 }
 
-int LineOf(const LoadedStudy& study, const Suspicion& suspicion) {
+/// Null of a device, a post, or a channel that the study does not have.
+const ChannelSource* SourceOf(const LoadedStudy& study, const std::string& sensor) {
   const FourPost* const sines = study.study.experiments.Find<FourPost>();
-  const std::string name = suspicion.fault.name.substr(0, suspicion.fault.name.find(' '));
   if (sines != nullptr)
-    for (const auto& [sensor, source] : sines->plan.channels)
-      if (sensor == name) return source.line;
-  return 0;
+    for (const auto& [name, source] : sines->plan.channels)
+      if (name == sensor) return &source;
+  return nullptr;
+}
+
+int LineOf(const LoadedStudy& study, const Suspicion& suspicion) {
+  const ChannelSource* const source = SourceOf(study, suspicion.fault.name.substr(0, suspicion.fault.name.find(' ')));
+  return source == nullptr ? 0 : source->line;
+}
+
+/// What to write for another sign or a delay.
+std::string Correction(const LoadedStudy& study, const Suspicion& suspicion) {
+  const bool is_delay = suspicion.fault.kind == Kind::kDelay;
+  const double delay_s = 1e-3 * AtDigits(kMilli * suspicion.size, 2);
+  const ChannelSource* const found = SourceOf(study, suspicion.fault.name);
+  if (found == nullptr)
+    return is_delay ? "`delay: " + ShortNumber(kMilli * delay_s, 2) +
+                          " ms` at each of these channels, or under 'with' at their file"
+                    : std::string("`sign: -1` at each of these channels");
+  ChannelSource source = *found;
+  for (SourceChannel& channel : source.channels) {
+    if (is_delay) channel.delay_s += delay_s;
+    else channel.factor = -channel.factor;
+  }
+  return "'" + suspicion.fault.name + ": " + SourceText(source) + "'";
 }
 
 std::string Sure(const Suspicion& suspicion) {
@@ -185,6 +208,7 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
     const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
     std::vector<std::string> words = {Words(suspicion.fault, suspicion.size), RivalWords(suspicion), Sure(suspicion)};
     if (&kind == &kRigUnit) words.emplace_back(KnownOf(FactorOf(suspicion.size))->words);
+    if (&kind == &kRigSign || &kind == &kRigDelay) words.push_back(Correction(study, suspicion));
     if (kind.severity() == Severity::kError && (certain == Severity::kWarning || !IsCertain(suspicion)))
       diagnostics.ReportAsWarning(kind, place, words);
     else diagnostics.Report(kind, place, words);

@@ -70,6 +70,40 @@ class Draft(ProgramTest):
         answer = json.loads(self.run_program("response", "study/study.yaml", "--engine", "reduced", "--json").stdout)
         self.assertEqual({channel["name"] for channel in answer["channels"]}, set(self.sensors))
 
+    def test_says_of_each_channel_what_its_match_is_worth(self):
+        """Posts and pots of a half car by single letters, one channel that is none of its sensors', one without a unit."""
+        self.write("half.urdf", (SOURCE / "urdf/landrover110_model1.urdf").read_text())
+        rows = "".join(f"{k / RATE:.4f},{z:.9g},{0.5 * z:.9g}\n" for k, z in enumerate(dwells([1, 2, 4], RATE)))
+        self.write("two.csv", "time,front,rear\ns,m,m\n" + rows)
+        self.run_program("simulate", "half.urdf", "--recording", "two.csv", "--rate", f"{RATE}Hz", "--noise", "0.1%",
+                         "--engine", "reduced", "-o", "clean.csv")
+        table = list(csv.reader((self.folder / "clean.csv").read_text().splitlines()))
+        names = {"time": "time", "post_front": "post_f", "post_rear": "post_r", "s_strut_front": "pot_F",
+                 "s_strut_rear": "pot_R", "a_body_front": "Karo_z_V", "a_body_rear": "Karo_z_H"}
+        columns = [[names[name], *column] for name, *column in zip(*table) if name in names]
+        columns += [["oil", "degC"] + ["80.5"] * (len(table) - 2), ["spare", ""] + ["0.25"] * (len(table) - 2),
+                    ["pot_X", "m"] + [f"{1e-3 * (k % 7):.4g}" for k in range(len(table) - 2)]]
+        self.write("rig.csv", "\n".join(",".join(row) for row in zip(*columns)) + "\n")
+        outcome = self.run_program("init", "study", "--from", "rig.csv", "--vehicle", "half.urdf", "--json")
+        channels = {c["name"]: c for c in json.loads(outcome.stdout)["recordings"][0]["channels"]}
+        for channel, of in (("post_f", "post 'front'"), ("post_r", "post 'rear'"), ("pot_F", "s_strut_front"),
+                            ("pot_R", "s_strut_rear"), ("Karo_z_V", "a_body_front"), ("Karo_z_H", "a_body_rear")):
+            self.assertEqual((channels[channel]["of"], channels[channel]["state"]), (of, "sure"), channels[channel])
+        self.assertEqual({name: channels[name]["state"] for name in ("oil", "spare", "pot_X")},
+                         {"oil": "unmatched", "spare": "unmatched", "pot_X": "unmatched"})
+        self.assertIn("has no unit", channels["spare"]["why"])
+        self.assertIn("s_strut_front, s_strut_rear", channels["pot_X"]["why"])
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertIn("#   pot_R = s_strut_rear: sure\n", text)
+        self.assertIn("without a channel: a_cross_member (an acceleration)", text)
+        self.assertIn("post_channels: {front: post_f, rear: post_r}\n", text)
+
+    def test_says_how_posts_are_named(self):
+        self.write("lost.csv", renamed((self.folder / "dwells.csv").read_text()).replace("Actuator pos", "xyz"))
+        outcome = self.run_program("init", "study", "--from", "lost.csv", "--vehicle", "car.urdf", code=3)
+        self.assertIn("no channel found for post 'post': call its displacement post_post", outcome.stderr)
+        self.assertIn("displacements here: xyz, Damper Pot", outcome.stderr)
+
     def test_asks_for_nothing_twice(self):
         self.run_program("init", "study", "--from", "dwells.csv", "--vehicle", "car.urdf")
         before = (self.folder / "study/study.yaml").read_text()
@@ -300,6 +334,20 @@ class Preparation(ProgramTest):
         done = json.loads((self.folder / "run/result.json").read_text())["histories"][0]["preparation"]
         self.assertEqual(done, ["resampled to 400 Hz", "s_strut: trend taken away", "s_strut: delay of 1 ms taken back",
                                 "cut to 2 .. 18 s"])
+
+    def test_names_all_clipped_channels_at_once(self):
+        clipped = [list(row) for row in self.rows]
+        for column in range(2, len(self.names)):
+            most = 0.7 * max(row[column] for row in clipped)
+            for row in clipped:
+                row[column] = min(row[column], most)
+        self.save("clipped.csv", clipped)
+        self.write("study.yaml", "vehicle: car.urdf\nhistories:\n  - {file: clipped.csv}\n  - {file: good.csv}\n")
+        told = self.run_program("response", "study.yaml", "--engine", "reduced").stderr
+        lines = [line for line in told.splitlines() if line.endswith("[channel-saturated]")]
+        self.assertEqual(len(lines), 1, told)
+        for name in self.names[2:]:
+            self.assertIn(f"'{name}'", lines[0])
 
     def test_takes_offset_and_trend_away(self):
         drifting = [list(row) for row in self.rows]

@@ -229,6 +229,8 @@ band: [1 Hz, 10 Hz]
 """)
             found = self.run_program("info", "study.yaml").stderr
             self.assertEqual("'s_strut' comes 3" in found, is_found, found)
+            # With the line to write.
+            self.assertEqual("write 's_strut: {channel: s_strut, delay: 3" in found, is_found, found)
 
     def test_says_what_was_done_to_the_recording(self):
         self.split(0.003)

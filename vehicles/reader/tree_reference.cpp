@@ -1,5 +1,6 @@
 #include "vehicles/reader/tree_reference.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -52,18 +53,18 @@ class TreeReferences {
  private:
   void ReplaceOne(XMLElement& element, const char* attribute, const std::string& path) {
     const std::string text = AttributeText(element, attribute).value_or("");
-    if (text.find('$') == std::string::npos) return;
+    if (!HasReference(text)) return;
     element.SetAttribute(attribute, Resolved(element, attribute, text, path).c_str());
   }
 
   void ReplaceCom(XMLElement& origin, const std::string& path) {
     const std::string text = AttributeText(origin, "xyz").value_or("");
-    if (text.find('$') == std::string::npos) return;
+    if (!HasReference(text)) return;
     const std::vector<std::string> words = SplitAtBlanks(text);
     constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
     std::string numbers;
     for (std::size_t i = 0; i < words.size(); ++i) {
-      const bool is_reference = i < kAxes.size() && words[i].find('$') != std::string::npos;
+      const bool is_reference = i < kAxes.size() && HasReference(words[i]);
       numbers += (i == 0 ? "" : " ") + (is_reference ? Resolved(origin, "xyz", words[i], path + kAxes[i]) : words[i]);
     }
     origin.SetAttribute("xyz", numbers.c_str());
@@ -111,6 +112,8 @@ class TreeReferences {
 }  // namespace
 
 bool ReplaceTreeReferences(XMLElement& robot, FileFaults* faults) { return TreeReferences(robot, faults).Replace(); }
+
+bool HasReference(std::string_view text) { return std::count(text.begin(), text.end(), '$') > 0; }
 
 bool IsTreeReference(const XMLElement& bind) {
   const auto* origin = static_cast<const XMLElement*>(bind.GetUserData());

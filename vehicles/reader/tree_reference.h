@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <tinyxml2.h>
 
@@ -13,6 +14,9 @@ namespace fourpost {
 /// `fp:bind` that ties it, which is generated from the element that the number stands in. Returns whether there was
 /// one; `faults` may be null.
 bool ReplaceTreeReferences(tinyxml2::XMLElement& robot, FileFaults* faults);
+
+/// Whether a number of the tree names a parameter, well or badly.
+bool HasReference(std::string_view text);
 
 /// Whether an `fp:bind` stands for a reference in the tree.
 bool IsTreeReference(const tinyxml2::XMLElement& bind);

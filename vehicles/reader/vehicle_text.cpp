@@ -7,6 +7,7 @@
 #include "analysis/text/count_check.h"
 #include "analysis/text/number.h"
 #include "vehicles/reader/tree_binding.h"
+#include "vehicles/reader/tree_reference.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/tags/tag.h"
 #include "vehicles/tags/xml_scanner.h"
@@ -95,7 +96,7 @@ void ReplaceBound(const XMLElement* element, std::string_view attribute, const S
   if (!element || number.parameter < 0) return;
   const std::string text = AttributeText(*element, attribute).value_or("");
   // A reference follows by itself.
-  if (text.find('$') != std::string::npos) return;
+  if (HasReference(text)) return;
   const std::optional<double> written = ParseNumber(Trimmed(text));
   if (!written || !Agrees(*written, number.At(values)))
     edits.Replace(*element, attribute, FormatNumber(number.At(values)));
