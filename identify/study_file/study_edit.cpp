@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <yaml-cpp/yaml.h>
 
+#include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
 
@@ -49,6 +51,17 @@ void AddSources(const YAML::Node& node, std::vector<YAML::Node>& sources) {
   for (const char* key : {"mean", "sum"})
     if (node[key].IsDefined() && node[key].IsSequence())
       for (const YAML::Node& entry : node[key]) AddSources(entry, sources);
+}
+
+/// A stated correction and another one: delays add up, scales multiply; nothing where one cannot be read.
+std::optional<std::string> Together(const std::string& key, const YAML::Node& stated, const std::string& more) {
+  if (!stated.IsScalar()) return std::nullopt;
+  const std::optional<Quantity> one = ParseQuantity(stated.Scalar());
+  const std::optional<Quantity> other = ParseQuantity(more);
+  if (!one || !other || !(one->unit.dimension == other->unit.dimension)) return std::nullopt;
+  if (key == "delay") return FormatQuantity(AtDigits(one->si + other->si, 6), one->unit_text);
+  if (key == "scale") return FormatNumber(AtDigits(one->si * other->si, 6));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -117,9 +130,18 @@ bool StudyEdit::CorrectChannels(const std::vector<std::string>& sensors, const s
           changes[begin] = {end, "{channel: " + text_.substr(begin, end - begin) + ", " + key + ": " + value + "}"};
           continue;
         }
-        if (source[key].IsDefined() || source.Style() != YAML::EmitterStyle::Flow) return false;
+        if (source[key].IsDefined()) {
+          const std::optional<std::string> both = Together(key, source[key], value);
+          if (!both) return false;
+          const auto [begin, end] = SpanOf(source[key], text_);
+          changes[begin] = {end, *both};
+          continue;
+        }
         const std::size_t end = SpanOf(source["channel"], text_).second;
-        changes[end] = {end, ", " + key + ": " + value};
+        const bool is_flow = source.Style() == YAML::EmitterStyle::Flow;
+        const std::string between =
+            is_flow ? ", " : "\n" + std::string(static_cast<std::size_t>(std::max(0, source.Mark().column)), ' ');
+        changes[end] = {end, between + key + ": " + value};
       }
     }
   if (changes.empty()) return false;

@@ -22,8 +22,8 @@ class StudyEdit {
   /// To the list `free`, where there is one.
   void AddFree(const std::vector<std::string>& names);
   /// Adds `key: value`, such as "delay: 2 ms", to all recorded channels that the sensors of these names are taken from,
-  /// in `channels` and in those of `histories`. False, and nothing is changed, where one of them has the key or is
-  /// written in a way that cannot be extended.
+  /// in `channels` and in those of `histories`. A delay is added to one that is stated already, a scale multiplied with
+  /// it. False, and nothing is changed, where no channel is listed or what is stated cannot be read.
   bool CorrectChannels(const std::vector<std::string>& sensors, const std::string& key, const std::string& value);
   /// Of these sensors, where histories state it: noise of channels that are scaled.
   void ScaleNoise(const std::vector<std::string>& sensors, double factor);

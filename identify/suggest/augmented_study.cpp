@@ -73,8 +73,8 @@ std::optional<Eigen::VectorXd> AugmentedStudy::Evaluated(const VehicleObjective&
 std::optional<Eigen::VectorXd> AugmentedStudy::OfStudy(double amount, const Eigen::VectorXd& values) const {
   const std::string text = addition_.study(amount);
   failure_ =
-      "its line under `channels` already states one, or goes over several lines: correct that value by hand, or write "
-      "the channel on one line without it";
+      "its channel is not listed under `channels`, or what is stated there cannot be extended: list it on one line, as "
+      "in `a_body: {channel: NAME}`";
   if (text.empty()) return std::nullopt;
   Diagnostics findings;
   std::optional<Study> study = ReadStudyText(text, study_.study.file, findings);

@@ -55,6 +55,19 @@ TEST(StudyEdit, CorrectsAllChannelsOfASensor) {
   EXPECT_EQ(twice.Text(), kStudy);
 }
 
+TEST(StudyEdit, AddsToWhatIsStated) {
+  const std::string study =
+      "channels:\n  a: {channel: left, delay: 2 ms}\n  b:\n    channel: right\n    scale: 1.1\n  c: pot\n";
+  StudyEdit delays(study);
+  EXPECT_TRUE(delays.CorrectChannels({"a", "b"}, "delay", "-0.5 ms"));
+  EXPECT_EQ(delays.Text(), Replaced(Replaced(study, "2 ms", "1.5 ms"), "right\n", "right\n    delay: -0.5 ms\n"));
+  StudyEdit scales(study);
+  EXPECT_TRUE(scales.CorrectChannels({"b", "c"}, "scale", "0.9"));
+  EXPECT_EQ(scales.Text(), Replaced(Replaced(study, "1.1", "0.99"), "pot", "{channel: pot, scale: 0.9}"));
+  StudyEdit unlisted(study);
+  EXPECT_FALSE(unlisted.CorrectChannels({"d"}, "delay", "1 ms"));
+}
+
 TEST(StudyEdit, ScalesNoiseThatIsStated) {
   const std::string study = "histories:\n  - file: a.csv\n    noise: {F: 20.6 N, a: 0.1 m/s^2}\n";
   StudyEdit edit(study);
