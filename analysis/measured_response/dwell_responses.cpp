@@ -11,8 +11,8 @@
 namespace fourpost {
 namespace {
 
-/// "no dwell from 2.0 to 8.1 s" of motions that are not used, for two seconds at least: too short for a dwell, or not
-/// steady.
+/// "no dwell was found from 2.0 to 8.1 s ..." of motions that are not used, for two seconds at least: too short for a
+/// dwell, or not steady.
 std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
   constexpr double kLeast_s = 2;
   constexpr double kMoves = 0.02;
@@ -31,9 +31,9 @@ std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
     while (first + 1 < last && std::abs(post[first + 1] - post[begin]) < kMoves * largest) ++first;
     while (last > first + 1 && std::abs(post[last - 1] - post[end - 1]) < kMoves * largest) --last;
     if (static_cast<double>(last) - static_cast<double>(first) > kLeast_s * rate_Hz)
-      list.push_back("no dwell from " + Rounded(static_cast<double>(first) / rate_Hz, 3) + " to " +
+      list.push_back("no dwell was found from " + Rounded(static_cast<double>(first) / rate_Hz, 3) + " to " +
                      Rounded(static_cast<double>(last) / rate_Hz, 3) +
-                     " s, where the posts move (four steady cycles at least are needed)");
+                     " s, where the posts move: left out; dwell for ten cycles");
     if (!is_last) begin = std::min(post.size(), static_cast<std::size_t>(looked.dwells[d].end));
   }
   return list;
@@ -48,7 +48,7 @@ void DwellResponses::Add(const LookedAt& looked) {
     work_.Fault(kResponseNoDwell, looked.file, {looked.recording.posts[looked.largest_post]});
     return;
   }
-  for (std::string& missed : MotionsWithoutDwell(looked)) work_.out.preparations.push_back(std::move(missed));
+  for (std::string& missed : MotionsWithoutDwell(looked)) work_.out.missed.push_back(std::move(missed));
   const std::vector<double> rest = LevelsAtRest(signals, looked.dwells);
   has_rest_ = has_rest_ && !rest.empty();
   for (DwellResponse& response : responses) {

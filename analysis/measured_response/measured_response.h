@@ -88,6 +88,8 @@ struct MeasuredResponses {
   /// Columns that are no response of a vehicle; and those of them whose unit is not known, as "'oil' (foo)".
   std::vector<std::string> left_out;
   std::vector<std::string> unit_unknown;
+  /// Stepped sines: motions without a dwell, which are left out, a sentence each.
+  std::vector<std::string> missed = {};
   /// What was done to the time histories before responses were made of them, a sentence each.
   std::vector<std::string> preparations = {};
   /// Channels that move as the posts do at every frequency, up to their sign.

@@ -268,6 +268,7 @@ std::string StudySection(const MeasuredResponses& measured) {
 std::string MeasuredText(const MeasuredResponses& measured) {
   std::string text = FoundText(measured);
   for (const std::string& done : measured.preparations) text += done + '\n';
+  for (const std::string& missed : measured.missed) text += missed + '\n';
   for (const MeasuredResponse& response : measured.responses) text += '\n' + ResponseText(measured, response);
   if (!measured.left_out.empty()) {
     std::string names;
@@ -305,7 +306,8 @@ nlohmann::ordered_json MeasuredJson(const MeasuredResponses& measured) {
           {"periods", is_multisine ? Json(measured.periods) : Json()},
           {"responses", responses},
           {"left_out", measured.left_out},
-          {"preparation", measured.preparations}};
+          {"preparation", measured.preparations},
+          {"missed", measured.missed}};
 }
 
 }  // namespace fourpost

@@ -216,6 +216,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   Diagnostics unheard;
   std::optional<MeasuredResponses> measured = MeasureResponses(request, unheard);
   if (!measured) return;
+  reading.missed = measured->missed;
   if (measured->kind == ExcitationKind::kStepped) reading.kind = FileReading::Kind::kDwells;
   for (MeasuredResponse& response : measured->responses) {
     std::vector<double> shape = ShapeOf(vehicle, reading, *measured, response.shares);

@@ -36,6 +36,8 @@ struct FileReading {
   /// Those of other columns of numbers: the name, and what stands in place of a unit.
   std::vector<std::pair<std::string, std::string>> unread = {};
   std::vector<DraftedMotion> motions = {};
+  /// Of dwells: what of the record is left out.
+  std::vector<std::string> missed = {};
   /// Of what is over time.
   DraftedPreparation preparation = {};
   /// Over time, and of a vehicle with posts, but without theirs: perhaps recorded beside another file.

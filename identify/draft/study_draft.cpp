@@ -326,6 +326,7 @@ class Drafter {
       const std::string name = file.path.filename().string();
       if (!file.is_used) text += "# not used: " + name + ": " + file.use + '\n';
       text += ChannelComments(file);
+      for (const std::string& missed : readings_[i].missed) text += "# look at: " + name + ": " + missed + '\n';
       if (IsSine(i) && shared_ && *shared_ != i && !AreSame(file.matches, drafted_[*shared_].matches))
         text += "# look at: channels of " + name + " are called otherwise than those of " +
                 drafted_[*shared_].path.filename().string() + ", and a study has one set of names for both\n";

@@ -1,5 +1,6 @@
 """Time histories made into frequency responses, by the command and by a study."""
 import json
+import math
 import unittest
 
 from program import SOURCE, ProgramTest, dwells
@@ -218,6 +219,22 @@ class Frf(ProgramTest):
         for frequency, late, right in zip(response["frequency_Hz"], *phases.values()):
             self.assertAlmostEqual((right - late + 180) % 360 - 180, 360 * frequency * 0.003, delta=0.3)
         self.assert_finding(self.run_program("frf", "main.csv", "--with", "pots.csv=3mm", code=2).stderr, "option-dimension")
+
+    def test_names_motions_that_are_no_dwell(self):
+        frf = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)
+        self.assertEqual(frf["missed"], [])
+        heights = dwells([2, 3], RATE)
+        # Six seconds at 0.25 Hz, 1.5 cycles, then two dwells.
+        slow = [0.02 * math.sin(2 * math.pi * 0.25 * k / RATE) for k in range(6 * RATE)]
+        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(heights[:2 * RATE] + slow + heights[2 * RATE:]))
+        self.write("heights.csv", "time,post\ns,m\n" + rows)
+        self.run_program("simulate", "car.urdf", "--recording", "heights.csv", "--rate", f"{RATE}Hz", "--engine", "reduced",
+                         "-o", "slow.csv")
+        frf = json.loads(self.run_program("frf", "slow.csv", "--json").stdout)
+        self.assertEqual(len(frf["missed"]), 1, frf["missed"])
+        self.assertRegex(frf["missed"][0], r"no dwell was found from 2\.\d* to [78]\.\d* s")
+        self.run_program("init", "study", "--from", "slow.csv", "--vehicle", "car.urdf")
+        self.assertIn("# look at: slow.csv: no dwell was found", (self.folder / "study/study.yaml").read_text())
 
     def test_audit_finds_a_device_on_another_clock(self):
         for ahead_s, is_found in ((0.003, True), (0, False)):

@@ -60,6 +60,7 @@ class MeasuredRecording {
     std::optional<MeasuredResponses> measured = Measure();
     if (!measured) return std::nullopt;
     std::vector<std::string> preparations = std::move(measured->preparations);
+    preparations.insert(preparations.end(), measured->missed.begin(), measured->missed.end());
     preparations.push_back("responses of a " + KindInWords(measured->kind));
     if (recording_.filter)
       preparations.push_back("low-pass of " + FormatNumber(recording_.filter->cutoff_Hz) + " Hz taken off the posts");
