@@ -79,7 +79,7 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
     const std::optional<TimeRecording> part = ReadTimeRecording(*beside, chosen(here), diagnostics, times, preparation);
     if (!part) return std::nullopt;
     whole.preparations.push_back("with " + other.path.filename().string() +
-                                 (other.delay_s != 0 ? ", " + SecondsText(other.delay_s) + " ahead" : ""));
+                                 (other.delay_s != 0 ? ", " + MillisecondsText(other.delay_s) + " ahead" : ""));
     Join(*part, other.delay_s, here, samples, whole);
   }
   for (const std::size_t place : open)

@@ -323,8 +323,10 @@ auto Reading(const RecordedTable& table, Diagnostics& diagnostics, const Read& r
 
 }  // namespace
 
+std::string MillisecondsText(double time_s) { return FormatNumber(std::round(1e6 * time_s) / 1e3) + " ms"; }
+
 std::string DelayTakenBack(const std::string& channel, double delay_s) {
-  return channel + ": delay of " + SecondsText(delay_s) + " taken back";
+  return channel + ": delay of " + MillisecondsText(delay_s) + " taken back";
 }
 
 std::string CutTo(double start_s, double end_s) {

@@ -60,6 +60,8 @@ struct TimePreparation {
 inline const RecordedChannel kTimeColumn{
     {"time", "Time", "TIME", "t", "timestamp", "Timestamp", "datetime", "DateTime"}, kTime, "the time of each sample"};
 
+/// "2 ms", to a microsecond.
+std::string MillisecondsText(double time_s);
 /// "a_body: delay of 2 ms taken back", of what is done to a recording.
 std::string DelayTakenBack(const std::string& channel, double delay_s);
 /// "cut to 2 .. 8.5 s"

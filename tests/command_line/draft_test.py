@@ -322,10 +322,12 @@ class Preparation(ProgramTest):
         stated = self.errors("file: one.csv, with: [{file: two.csv, delay: 3 ms}]")
         self.assertLess(max(stated.values()), 0.05)
         self.assertGreater(max(late.values()), 20 * max(stated.values()))
-        # A fit that cannot explain it by its parameters names the channels.
-        self.write("study.yaml", "vehicle: car.urdf\nhistories:\n  - {file: one.csv, with: [two.csv]}\n")
-        found = self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest").stderr
-        self.assertIn("3", found)
+        # The table of errors has the delay at which each channel would agree best.
+        self.write("study.yaml", "vehicle: car.urdf\nfree: [k]\nhistories:\n  - {file: one.csv, with: [two.csv]}\n")
+        outcome = self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest", "--json")
+        for channel in json.loads(outcome.stdout)["channels"]:
+            # k takes over a part of it.
+            self.assertAlmostEqual(channel["delay_s"], 0.003 if channel["name"] in self.names[3:] else 0, delta=0.001)
 
     def test_says_in_the_result_what_was_done(self):
         self.write("study.yaml", "vehicle: car.urdf\nfree: [k]\nhistories:\n  - {file: good.csv, start: 2 s, "

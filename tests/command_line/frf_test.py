@@ -244,7 +244,7 @@ recordings:
   - {file: main.csv, posts: heave, with: [pots.csv]}
 band: [1 Hz, 10 Hz]
 """)
-            found = self.run_program("info", "study.yaml").stderr
+            found = self.run_program("info", "study.yaml").stdout
             self.assertEqual("'s_strut' comes 3" in found, is_found, found)
             # With the line to write.
             self.assertEqual("write 's_strut: {channel: s_strut, delay: 3" in found, is_found, found)
