@@ -29,7 +29,7 @@ struct FitVerdict {
 ///   at least a tenth of the loudest of its unit, for next to a node small errors are large shares, over time 2 %;
 /// - the audit of the rig suspects a channel, which fit_run.cpp adds;
 /// - implausible values were accepted, and the misfit is more than 1.5 times what noise and model error explain: a
-///   channel in the wrong unit is either quiet beside the others of its unit, or a constant is hardly nearer;
+///   channel in the wrong unit is either quiet beside the others of its unit, or has an NMSE just below 100 %;
 /// - most parameters are at their bounds and the misfit is more than 1.5 times what noise and model error explain.
 /// A fit that was interrupted is not judged: no reasons.
 FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares, const Diagnostics& accepted = {});
