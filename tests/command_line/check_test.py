@@ -22,6 +22,29 @@ class Check(ProgramTest):
     def checked(self, vehicle):
         return json.loads(self.check(vehicle, "--json").stdout)
 
+    def test_takes_values_that_are_written_once(self):
+        self.run_program("init", "car")
+        bound = (self.folder / "car/vehicle.urdf").read_text()
+        bind = '>\n    <fp:bind to="link[body]/mass"/>\n  </fp:parameter>'
+        once = bound.replace('<mass value="300"/>', '<mass value="$m_body"/>').replace(bind, "/>", 1)
+        self.assertNotIn("link[body]/mass", once)
+        expected = self.checked("car/vehicle.urdf")
+        self.write("car/vehicle.urdf", once)
+        self.assertEqual(self.checked("car/vehicle.urdf"), expected)
+        parameters = json.loads(self.run_program("params", "car/vehicle.urdf", "--json").stdout)["parameters"]
+        self.assertEqual([p["name"] for p in parameters][0], "m_body")
+        self.run_program("fit", "car/study.yaml", "-o", "run", "--no-suggest")
+        fitted = (self.folder / "run/vehicle.urdf").read_text()
+        self.assertIn('<mass value="$m_body"/>', fitted)
+        self.assertNotIn('name="m_body" value="300 kg"', fitted)
+        self.check("run/vehicle.urdf")
+        # Written twice and not alike.
+        self.write("car/vehicle.urdf", bound.replace('name="m_body" value="300 kg"', 'name="m_body" value="310 kg"'))
+        refused = self.check("car/vehicle.urdf", code=3).stderr
+        self.assert_finding(refused, "bind-value")
+        self.assertIn("300 kg in the tree, but factor times the value of fp:parameter 'm_body' is 310 kg", refused)
+        self.assertIn('write "$m_body"', refused)
+
     def test_prints_loads_and_modes(self):
         check = self.checked(QUARTER_CAR)
         self.assertEqual(check["dof"], 2)
