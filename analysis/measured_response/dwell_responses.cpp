@@ -15,7 +15,7 @@ namespace {
 /// dwell, or not steady.
 std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
   constexpr double kLeast_s = 2;
-  constexpr double kMoves = 0.02;
+  constexpr double kMoves = 0.1;
   const std::vector<double>& post = looked.recording.heights[looked.largest_post];
   const double rate_Hz = looked.recording.rate_Hz;
   double largest = 0;

@@ -80,13 +80,17 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
     const std::string name = file.path.filename().string();
     if (!file.is_used) unused += "not used: " + name + ": " + file.use + '\n';
     for (const DraftedChannel& channel : file.channels) {
+      if (!file.same_as.empty()) break;
       has_rows = true;
       table.Add({name, channel.name, channel.of, HowFound(file, channel), StateName(channel.state), channel.why});
     }
     if (file.is_used)
       named += name + ": " + file.use + "; " + std::to_string(file.matches.size()) + " of " +
                std::to_string(file.matches.size() + file.without_channel.size()) + " sensors have a channel" +
-               (file.without_channel.empty() ? "" : ", not: " + Listed(file.without_channel)) + '\n';
+               (file.without_channel.empty() ? ""
+                : !file.same_as.empty()      ? ", as of " + file.same_as
+                                             : ", not: " + Listed(file.without_channel)) +
+               '\n';
   }
   return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() + "\nnext\n  fourpost fit " +
          study.string() + " -o run\n";

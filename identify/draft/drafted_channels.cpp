@@ -92,7 +92,7 @@ std::vector<DraftedChannel> ChannelsOf(const FileReading& reading, const std::ve
   for (const auto& [name, unit] : reading.unread)
     list.push_back({.name = name,
                     .why = (unit.empty() ? "it has no unit" : "its unit '" + unit + "' is not known") +
-                           "; state it where it is of use: {channel: " + name + ", unit: mm}"});
+                           "; where it is needed, state one: {channel: " + name + ", unit: ...}"});
   return list;
 }
 

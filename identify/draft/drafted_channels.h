@@ -18,6 +18,8 @@ struct DraftedChannel {
   State state = State::kUnmatched;
   /// What to look at, or what would make it match.
   std::string why = {};
+
+  bool operator==(const DraftedChannel&) const = default;
 };
 
 /// "sure", "look at", "unmatched"

@@ -166,6 +166,10 @@ class Drafter {
       drafted.channels = ChannelsOf(reading, drafted.matches, sought, correlation);
       drafted.without_channel = WithoutChannel(drafted.matches, sought);
     }
+    for (const DraftedFile& other : drafted_)
+      if (drafted.same_as.empty() && other.channels == drafted.channels &&
+          other.without_channel == drafted.without_channel)
+        drafted.same_as = other.path.filename().string();
     drafted_.push_back(std::move(drafted));
   }
 
@@ -310,6 +314,8 @@ class Drafter {
   /// Of each channel whether its match is sure, and what would make it so.
   static std::string ChannelComments(const DraftedFile& file) {
     if (file.channels.empty()) return "";
+    if (!file.same_as.empty())
+      return "# " + file.path.filename().string() + ", channel by channel: as " + file.same_as + '\n';
     std::string text = "# " + file.path.filename().string() + ", channel by channel:\n";
     for (const DraftedChannel& channel : file.channels)
       text += "#   " + channel.name + (channel.of.empty() ? "" : " = " + channel.of) + ": " + StateName(channel.state) +

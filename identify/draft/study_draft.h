@@ -21,6 +21,8 @@ struct DraftedFile {
   std::vector<ChannelMatch> matches = {};
   /// All channels, posts first.
   std::vector<DraftedChannel> channels = {};
+  /// Name of the first file whose channels are all the same and matched alike; empty: none before it.
+  std::string same_as = {};
   /// Channels that nothing was matched to, and what has no channel.
   std::vector<std::string> channels_left = {};
   std::vector<std::string> sensors_left = {};

@@ -97,6 +97,9 @@ class Draft(ProgramTest):
         self.assertIn("#   pot_R = s_strut_rear: sure\n", text)
         self.assertIn("without a channel: a_cross_member (an acceleration)", text)
         self.assertIn("post_channels: {front: post_f, rear: post_r}\n", text)
+        self.write("rig2.csv", (self.folder / "rig.csv").read_text())
+        self.run_program("init", "both", "--from", "rig.csv", "rig2.csv", "--vehicle", "half.urdf")
+        self.assertIn("# rig2.csv, channel by channel: as rig.csv\n", (self.folder / "both/study.yaml").read_text())
 
     def test_says_how_posts_are_named(self):
         self.write("lost.csv", renamed((self.folder / "dwells.csv").read_text()).replace("Actuator pos", "xyz"))
