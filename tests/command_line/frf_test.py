@@ -218,7 +218,7 @@ class Frf(ProgramTest):
             self.assertEqual(frf["preparation"], ["with pots.csv" + (", 3 ms ahead" if "=" in other else "")])
         for frequency, late, right in zip(response["frequency_Hz"], *phases.values()):
             self.assertAlmostEqual((right - late + 180) % 360 - 180, 360 * frequency * 0.003, delta=0.3)
-        self.assert_finding(self.run_program("frf", "main.csv", "--with", "pots.csv=3mm", code=2).stderr, "option-dimension")
+        self.assert_finding(self.run_program("frf", "main.csv", "--with", "pots.csv=3mm", code=2).stderr, "option-quantity")
 
     def test_names_motions_that_are_no_dwell(self):
         frf = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)
