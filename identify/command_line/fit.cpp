@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
@@ -28,17 +29,27 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
+std::string IfKnown(double value, int digits) { return std::isfinite(value) ? Rounded(value, digits) : ""; }
+
+/// "interrupted after step 2 (dry friction beside damper 'front'); the same command goes on there"
+std::string InterruptedText(const GrownFit& grown) {
+  if (grown.path.steps.empty()) return "interrupted before step 0 ended; the same command goes on";
+  const std::vector<std::string> added = grown.path.Added();
+  return "interrupted after step " + std::to_string(added.size()) + (added.empty() ? "" : " (" + added.back() + ")") +
+         "; the same command goes on there";
+}
+
 /// The path of a fit that grew.
 std::string GrowthText(const GrownFit& grown) {
-  TextTable table({"step", "added", "misfit", "change of BIC", "validation error, %", "kept"});
-  for (std::size_t i = 0; i < grown.steps.size(); ++i) {
-    const GrowthStep& step = grown.steps[i];
-    table.Add({std::to_string(i), step.added.empty() ? "nothing" : step.added, Rounded(step.misfit, 3),
-               i == 0 ? "" : Rounded(step.criterion, 4),
-               std::isfinite(step.validation_percent) ? Rounded(step.validation_percent, 3) : "",
-               step.is_kept ? "yes" : "no: " + step.reason});
+  TextTable table({"step", "added", "misfit", "change of BIC", "validation error, %", "kept", "folder"});
+  for (std::size_t i = 0; i < grown.path.steps.size(); ++i) {
+    const GrowthStep& step = grown.path.steps[i];
+    table.Add({std::to_string(grown.path.NumberOf(i)), step.added.empty() ? "nothing" : step.added,
+               IfKnown(step.misfit, 3), i == 0 ? "" : IfKnown(step.criterion, 4), IfKnown(step.validation_percent, 3),
+               step.is_kept ? "yes" : "no: " + step.reason, step.folder});
   }
-  return table.Format() + "Growth ended: " + grown.end + ".\n\n";
+  return (grown.path.steps.empty() ? "" : table.Format()) +
+         (grown.is_interrupted ? "Growth was " + InterruptedText(grown) : "Growth ended: " + grown.path.end) + ".\n\n";
 }
 
 }  // namespace
@@ -51,7 +62,7 @@ int Run(const FitCommand& command) {
                           .fit = [](const FitOptions& options) { return ShownFit(options); }};
   const GrownFit grown = command.grow
                              ? GrowFit(command, hooks)
-                             : GrownFit{.steps = {}, .fit = FitStudy(command, hooks), .folder = command.output};
+                             : GrownFit{.path = {}, .fit = FitStudy(command, hooks), .folder = command.output};
   const FitRun& run = grown.fit;
   const FitResult& fit = run.fit;
   if (!run.is_written) {
@@ -63,6 +74,7 @@ int Run(const FitCommand& command) {
   if (command.json) Print(run.json);
   else PrintText((command.grow ? GrowthText(grown) : "") + run.text);
   std::fprintf(stderr, "results: %s; open %s\n", grown.folder.c_str(), (grown.folder / "report.html").c_str());
+  if (grown.is_interrupted) std::fprintf(stderr, "growth was %s\n", InterruptedText(grown).c_str());
   if (grown.is_interrupted) return CodeOf(FitEnd::kInterrupted);
   return fit.end == FitEnd::kConverged && !run.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }

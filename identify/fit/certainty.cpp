@@ -205,6 +205,8 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
   }
   certainty.held_sd = certainty.model_sd = Eigen::VectorXd::Zero(count);
   certainty.total_sd = certainty.noise_sd;
+  for (const std::size_t place : held.left_out)
+    certainty.held_left_out.push_back(objective.vehicle().parameters[place].name);
   if (certainty.judged.empty()) return certainty;
 
   certainty.model_error = optimum.ModelError(certainty.judged);

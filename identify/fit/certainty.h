@@ -58,6 +58,8 @@ struct Certainty {
   /// Names of held parameters and, after them, of calibrations, and the deviation that each adds, held x free.
   std::vector<std::string> held;
   Eigen::MatrixXd by_held;
+  /// Names of held parameters that no deviation allows for.
+  std::vector<std::string> held_left_out;
   std::vector<CalibrationEstimate> calibrations;
   /// In words, what the model lacks by its own residuals, and by what each would move the free parameters, n x
   /// additions in FitVariables; empty: nothing is known of that.

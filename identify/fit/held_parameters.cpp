@@ -77,8 +77,10 @@ HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& 
   } else {
     for (const std::size_t place : places)
       if (const std::optional<Eigen::MatrixXd> alone = of({place})) add({place}, *alone);
+      else held.left_out.push_back(place);
   }
-  if (held.places.empty()) return {};
+  if (stop()) held.left_out.clear();
+  if (held.places.empty()) return held;
   const FitVariables variables(VehicleObjective(fitted, held.places, objective.blocks()).MakeProblem().lattice);
   held.variable_sd.resize(std::ssize(held.places));
   for (Index i = 0; i < held.variable_sd.size(); ++i)

@@ -20,10 +20,12 @@ struct HeldParameters {
   Eigen::VectorXd variable_sd;
   /// d residuals / d FitVariables of them, N x held; priors of the free ones included.
   Eigen::MatrixXd jacobian;
+  /// Places of those that the model has no derivative by: they are in none of the above.
+  std::vector<std::size_t> left_out;
 };
 
 /// Of the parameters that are not free but have a range, at these values of the free ones; adds evaluations to
-/// `evaluated`. Those whose derivative cannot be evaluated are left out.
+/// `evaluated`. `left_out` is empty where the user stops it.
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated);
 

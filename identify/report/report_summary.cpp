@@ -123,6 +123,17 @@ std::string ResidualsAre(double misfit) {
   return "Residuals are " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain";
 }
 
+/// Of a fit that was to grow and was interrupted; empty of any other.
+std::string InterruptedGrowth(const Json& result) {
+  const Json growth = result.value("growth", Json());
+  if (!growth.is_object() || growth.value("interrupted", false) != true) return "";
+  const std::vector<Json> added = ListAt(growth, "added");
+  const std::string last =
+      added.empty() || !added.back().is_string() ? "" : " (" + html::Escaped(added.back().get<std::string>()) + ")";
+  return "<strong>Growth was interrupted after step " + std::to_string(added.size()) + last +
+         ".</strong> Whether more is missing is not known. ";
+}
+
 /// Where stated standard deviations are several times what there is.
 std::string StatedTooLarge(double misfit) {
   constexpr double kSmall = 0.3;
@@ -157,6 +168,10 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
     if (misfit > kMisses && name == "good") name = "fair";
   }
   if (IsAnyFar(unseen) && name == "good") name = "fair";
+  if (const std::string growth = InterruptedGrowth(result); !growth.empty()) {
+    text = growth + text;
+    if (name != "poor") name = "open";
+  }
   if (!text.ends_with(' ')) text += ' ';
   return {name, text + OfAnotherVersion(result)};
 }
@@ -332,6 +347,8 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   if (TextAt(result, "termination") == "not_converged")
     return {"Run the same command again with more evaluations or iterations; it continues from its archive."};
   std::vector<std::string> advice;
+  if (!InterruptedGrowth(result).empty())
+    advice.push_back("Run the same command again; growth goes on where it was interrupted.");
   const Json identifiability = result.value("identifiability", Json());
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
   if (open && !remarks.measures_force && !remarks.where_open.empty()) advice.push_back(remarks.where_open);

@@ -29,6 +29,10 @@ inline const Finding kFitWithoutResults{"fit-without-results", Severity::kError,
 inline const Finding kFitInterrupted{"fit-interrupted", Severity::kWarning, "fit {}: {} no results are written",
                                      "the same command continues from its archive"};
 
+inline const Finding kGrowthInterrupted{"growth-interrupted", Severity::kWarning,
+                                        "growth was interrupted after step {} ({}), so more may be missing",
+                                        "the same command goes on there"};
+
 // What the fit explains.
 
 inline const Finding kModelUnexplaining{"model-unexplaining", Severity::kWarning,
@@ -84,6 +88,15 @@ inline const Finding kCalibrationUnused{
     "the "
     "model can be evaluated with them",
     "check whether the vehicle lacks something, or state smaller standard deviations"};
+inline const Finding kHeldLeftOut{
+    "held-left-out", Severity::kWarning,
+    "the intervals take these held parameters as exactly known, because the model cannot be evaluated beside their "
+    "values: {}",
+    "correct their values or ranges; look at them with `fourpost check MODEL --set P=VALUE`"};
+inline const Finding kRefinementsDisagree{
+    "refinements-disagree", Severity::kWarning,
+    "only {} of {} refinements ended in the best optimum, so a better one may exist",
+    "raise 'evaluations' and 'starts' of 'search', or narrow bounds that are guesses"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

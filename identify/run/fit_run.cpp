@@ -147,7 +147,19 @@ nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, cons
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; IsLarge(fit) && i < std::min(kMost, found->Worthwhile()); ++i)
     list.push_back(SuggestionJson(found->list[i], i + 1, loaded));
+  // The best by BIC, whose numbers `suggest` gives; read by the figure that stands beside them.
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+    return a["fall_percent"].template get<double>() > b["fall_percent"].template get<double>();
+  });
   return {{"tried", found->tried}, {"suggestions", list}, {"together", TogetherJson(*found)}};
+}
+
+/// What a fit that grew says of that.
+nlohmann::ordered_json GrownJson(const GrowthSummary& growth) {
+  return {{"added", growth.added},
+          {"end", growth.end},
+          {"interrupted", growth.is_interrupted},
+          {"state", growth.state}};
 }
 
 /// One fit from its study to its folder.
@@ -308,6 +320,11 @@ class Fitter {
     std::optional<Suggestions> missing = Missing(loaded, run.fit);
     if (missing) AllowForMissing(loaded.MakeObjective(), WhatIsMissing(*missing), run.fit);
     if (missing && run.fit.certainty && run.fit.certainty->missing.empty()) missing->LeaveOutTogether();
+    if (request_.only_whole && hooks_.work.IsStopped()) {
+      run.fit.end = FitEnd::kInterrupted;
+      run.fit.message = "those of before stay;";
+      return;
+    }
     const FitResult& fit = run.fit;
     const Subject subject = loaded.MakeSubject();
     if (fit.end != FitEnd::kInterrupted) {
@@ -324,8 +341,10 @@ class Fitter {
     // What channels say against each other no parameters explain, whatever the misfit.
     if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
       ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
-    const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
+    Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
+    if (request_.growth && request_.growth->is_interrupted) AddInterrupted(*request_.growth, conclusions);
     results.json["missing"] = MissingJson(missing, loaded, fit);
+    if (request_.growth) results.json["growth"] = GrownJson(*request_.growth);
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;
@@ -340,6 +359,11 @@ class Fitter {
     output.Add("report.html", Page(loaded, fit, files));
     output.Commit();
     run.is_written = true;
+  }
+
+  static void AddInterrupted(const GrowthSummary& growth, Diagnostics& conclusions) {
+    const std::string last = growth.added.empty() ? "nothing added" : growth.added.back();
+    conclusions.Report(kGrowthInterrupted, {}, {std::to_string(growth.added.size()), last});
   }
 
   const FitRequest& request_;

@@ -14,6 +14,17 @@
 
 namespace fourpost {
 
+/// A fit that grew, see GrowFit(): what its last fit tells of that.
+struct GrowthSummary {
+  /// What was added, in words and in order.
+  std::vector<std::string> added;
+  /// Why it added no more, or that it was interrupted.
+  std::string end;
+  bool is_interrupted = false;
+  /// Digest of all that it depends on.
+  std::string state;
+};
+
 /// A study to fit, and the folder of the results.
 struct FitRequest {
   std::filesystem::path study;
@@ -36,6 +47,10 @@ struct FitRequest {
   std::vector<std::string> profile = {};
   /// Look for what the vehicle lacks where residuals are larger than noise and stated model error explain.
   bool name_missing = false;
+  /// Where this fit is the last one of a growth.
+  std::optional<GrowthSummary> growth = {};
+  /// Leave the results of before where the user stops it.
+  bool only_whole = false;
 };
 
 /// How a fit shows that it gets on; each may be empty.

@@ -72,6 +72,20 @@ void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
   for (const std::string& combination : fit.weakest) conclusions.Report(kDirectionUndetermined, {}, {combination});
 }
 
+/// A best point that no other refinement found.
+void AddDisagreement(const FitResult& fit, Diagnostics& conclusions) {
+  constexpr int kEnough = 3;
+  if (fit.end == FitEnd::kInterrupted || fit.starts < kEnough || fit.agreeing >= 2) return;
+  conclusions.Report(kRefinementsDisagree, {}, {std::to_string(fit.agreeing), std::to_string(fit.starts)});
+}
+
+void AddHeld(const FitResult& fit, Diagnostics& conclusions) {
+  if (!fit.certainty) return;
+  std::string names;
+  for (const std::string& name : fit.certainty->held_left_out) names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty()) conclusions.Report(kHeldLeftOut, {}, {names});
+}
+
 /// Optima that noise and model error do not distinguish from the best. Costs before a correction are those of another
 /// model.
 void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
@@ -129,6 +143,7 @@ FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares,
 Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool has_deviations) {
   Diagnostics conclusions;
   if (fit.end == FitEnd::kNotConverged) conclusions.Report(kFitNotConverged, {}, {fit.message});
+  AddDisagreement(fit, conclusions);
   if (!has_deviations) conclusions.Report(kCompromiseWithoutDeviations, {});
   else if (fit.covariance) AddOpen(fit, conclusions);
   else conclusions.Report(kEndedWithoutDeviations, {});
@@ -137,6 +152,7 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
   if (has_deviations) {
     AddOtherOptima(fit, conclusions);
     AddCalibrations(fit, conclusions);
+    AddHeld(fit, conclusions);
   }
   if (!verdict.accepted.items().empty()) conclusions.Report(kImplausibleAccepted, {}, {Joined(verdict.accepted)});
   if (!verdict.explains()) conclusions.Report(kModelUnexplaining, {}, {Joined(verdict.reasons)});

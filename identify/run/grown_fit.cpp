@@ -8,41 +8,58 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/files/json_text.h"
 #include "analysis/files/output_folder.h"
-#include "analysis/text/text_table.h"
+#include "analysis/files/sha256.h"
+#include "identify/run/result_kind.h"
 #include "identify/run/run_suggestions.h"
+#include "identify/study/loaded_study.h"
+#include "identify/study/study_context.h"
+#include "identify/study_file/result_reader.h"
 #include "identify/suggest/score_test.h"
 
 namespace fourpost {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+
+constexpr const char* kTrace = "archive.sqlite";
 
 /// Of the channels of validation recordings.
 double ValidationPercent(const nlohmann::json& result) {
   double squares = 0;
   int count = 0;
-  for (const nlohmann::json& channel : result.value("validation", nlohmann::json::array())) {
-    if (!channel.contains("nmse_percent") || !channel["nmse_percent"].is_number()) continue;
-    squares += channel["nmse_percent"].get<double>() / 100;
+  for (const nlohmann::json& channel : ListAt(result, "validation")) {
+    const double percent = NumberAt(channel, "nmse_percent");
+    if (!std::isfinite(percent)) continue;
+    squares += percent / 100;
     ++count;
   }
   return count > 0 ? 100 * std::sqrt(squares / count) : std::nan("");
 }
 
-Json StepJson(const GrowthStep& step) {
-  return {{"added", step.added},
-          {"mechanism", step.mechanism},
-          {"elements", step.elements},
-          {"folder", step.folder},
-          {"cost", step.cost},
-          {"misfit", NumberOrNull(step.misfit)},
-          {"criterion_change", step.criterion},
-          {"validation_percent", NumberOrNull(step.validation_percent)},
-          {"kept", step.is_kept},
-          {"reason", step.reason}};
+/// Of all that decides how a fit grows; empty of a request that FitStudy() refuses.
+std::string StateOf(const FitRequest& request) {
+  Diagnostics refused;
+  const std::optional<LoadedStudy> study = LoadStudy(request.study, refused, request.set);
+  if (!study) return "";
+  const EvaluationContext context = ContextOf(*study);
+  Sha256 state;
+  for (const std::string& part : {context.vehicle, context.data, context.settings, context.version}) state.Add(part);
+  state.Add(study->vehicle.text);
+  state.Add(study->study.text);
+  for (const std::string& value : request.set) state.Add(value);
+  state.Add(request.seed ? std::to_string(*request.seed) : "of the study");
+  state.Add(std::string(request.accept_unidentified ? "unidentified" : "") +
+            (request.accept_implausible ? " implausible" : ""));
+  return state.Hex();
+}
+
+void Judge(const GrowthStep& before, GrowthStep& step) {
+  constexpr double kWorse = 1.02;  // of its error; less is chance
+  if (!(step.criterion < 0)) step.reason = "the criterion does not fall";
+  else if (step.validation_percent > kWorse * before.validation_percent)
+    step.reason = "validation recordings are predicted worse";
+  step.is_kept = step.reason.empty();
 }
 
 class Grower {
@@ -50,51 +67,84 @@ class Grower {
   Grower(const FitRequest& request, const FitRunHooks& hooks) : request_(request), hooks_(hooks) {}
 
   GrownFit Run() {
-    constexpr int kMostSteps = 12;
     // Whatever stands in its way is found before any work.
     OutputFolder(request_.output, kTrace);
+    RequireNoOtherResult(request_.output, ResultKind::kFit);
+    TakeUp();
+    if (path_.steps.empty() && !FitAsItStands()) return End();
+    while (!path_.is_over && !hooks_.work.IsStopped()) Grow();
+    if (!path_.is_over) path_.end = "interrupted";
+    grown_.is_interrupted = !path_.is_over;
     WritePath();
-    fs::path study = request_.study;
-    GrowthStep first{.folder = FolderOf(0), .is_kept = true};
-    grown_.folder = request_.output / first.folder / "fit";
-    if (!Fit(study, first)) return std::move(grown_);
     grown_.folder = request_.output;
-    grown_.steps.push_back(first);
-    WritePath();
-    grown_.end = "the limit of " + std::to_string(kMostSteps) + " additions was reached";
-    for (int round = 0; round < kMostSteps && !hooks_.work.IsStopped(); ++round) {
-      const std::optional<fs::path> next = TryToGrow(study);
-      if (!next) break;
-      study = *next;
-    }
-    grown_.is_interrupted = hooks_.work.IsStopped();
-    if (grown_.is_interrupted) grown_.end = "interrupted";
-    WritePath();
     if (grown_.is_interrupted) hooks_.work.Note("interrupted: the results are those of the last step that was kept");
-    Finish(study);
-    return std::move(grown_);
+    Finish();
+    return End();
   }
 
  private:
-  static constexpr const char* kTrace = "archive.sqlite";
+  static std::string FolderOf(std::size_t number) { return "steps/" + std::to_string(number); }
 
-  std::string FolderOf(std::size_t number) const { return "steps/" + std::to_string(number); }
+  GrownFit End() {
+    grown_.path = std::move(path_);
+    return std::move(grown_);
+  }
 
-  const GrowthStep& LastKept() const {
-    const GrowthStep* last = nullptr;
-    for (const GrowthStep& step : grown_.steps)
-      if (step.is_kept) last = &step;
-    return *last;
+  /// What the same request has reached before.
+  void TakeUp() {
+    const std::string state = StateOf(request_);
+    if (!state.empty()) path_ = EarlierGrowth(request_.output, state);
+    path_.study = request_.study.filename().string();
+    path_.state = state;
+    if (path_.steps.empty()) return;
+    if (hooks_.begin) hooks_.begin();
+    const std::vector<std::string> added = path_.Added();
+    const std::string last = added.empty() ? "" : " (" + added.back() + ")";
+    hooks_.work.Note(path_.is_over ? "growth had ended: " + path_.end
+                                   : "growth goes on after step " + std::to_string(added.size()) + last);
+  }
+
+  /// False where it has no result.
+  bool FitAsItStands() {
+    WritePath();
+    hooks_.work.Note("step 0 of at most " + std::to_string(kMostAdditions) + ": the study as it stands");
+    GrowthStep first{.folder = FolderOf(0), .is_kept = true};
+    grown_.folder = request_.output / first.folder / "fit";
+    if (!Fit(request_.study, first)) {
+      path_.end = "interrupted";
+      grown_.is_interrupted = hooks_.work.IsStopped();
+      return false;
+    }
+    path_.steps.push_back(first);
+    WritePath();
+    return true;
+  }
+
+  fs::path StudyOf(const GrowthStep& step) const {
+    return step.added.empty() ? request_.study : request_.output / step.folder / "study.yaml";
+  }
+
+  /// Its file of the vehicle has the values that were set.
+  std::vector<std::string> SetOf(const GrowthStep& step) const {
+    return step.added.empty() ? request_.set : std::vector<std::string>();
+  }
+
+  FitRequest RequestOf(const GrowthStep& step) const {
+    FitRequest request = request_;
+    request.study = StudyOf(step);
+    request.set = SetOf(step);
+    request.resume = request_.resume && step.added.empty();
+    request.from_file = !step.added.empty();
+    return request;
   }
 
   /// False where there is no result.
   bool Fit(const fs::path& study, GrowthStep& step) {
-    FitRequest request = request_;
+    FitRequest request = RequestOf(step);
     request.study = study;
     request.output = request_.output / step.folder / "fit";
     request.profile.clear();
     request.name_missing = false;
-    request.from_file = !step.added.empty();
     grown_.fit = FitStudy(request, hooks_);
     if (!grown_.fit.is_written || grown_.fit.fit.end == FitEnd::kInterrupted) return false;
     step.cost = grown_.fit.fit.cost;
@@ -103,88 +153,143 @@ class Grower {
     return true;
   }
 
+  void EndWith(const std::string& why) {
+    path_.end = why;
+    path_.is_over = true;
+  }
+
+  /// "step 3 of at most 12"
+  std::string StepWords() const {
+    return "step " + std::to_string(path_.Added().size() + 1) + " of at most " + std::to_string(kMostAdditions);
+  }
+
+  /// Tries one addition, or finds out which there are.
+  void Grow() {
+    const GrowthStep& before = path_.steps[path_.LastKept()];
+    if (before.misfit <= 1) return EndWith("the stated errors explain the residuals");
+    if (path_.Added().size() >= kMostAdditions)
+      return EndWith("the limit of " + std::to_string(kMostAdditions) + " additions was reached");
+    if (!path_.round) return LookForMore();
+    if (path_.TriedOfRound() < path_.round->candidates.size()) return Try();
+    EndWith(path_.round->candidates.empty() ? "nothing more pays" : "no addition that promised more holds it");
+  }
+
   /// What was reached is not lost by what comes after it.
-  std::optional<fs::path> TryToGrow(const fs::path& study) {
+  void LookForMore() {
     try {
-      return Grow(study);
+      path_.round = NextRound();
     } catch (const OutputError&) {
       throw;
     } catch (const std::exception& failure) {
-      grown_.end = "an addition could not be made";
-      hooks_.work.Note(grown_.end + ": " + failure.what());
-      return std::nullopt;
+      EndWith("what could be added cannot be looked for");
+      hooks_.work.Note(path_.end + ": " + failure.what());
     }
+    WritePath();
   }
 
-  /// The study of the next step that is kept; nothing where none is.
-  std::optional<fs::path> Grow(const fs::path& study) {
+  /// Nothing where the user stops it.
+  std::optional<GrowthRound> NextRound() const {
     constexpr std::size_t kMostTries = 3;
-    const GrowthStep before = LastKept();
-    grown_.end = "the stated errors explain the residuals";
-    if (before.misfit <= 1) return std::nullopt;
-    grown_.end = "nothing more pays";
-    const RunSuggestions run = SuggestForRun(
-        {.run = request_.output / before.folder / "fit", .study = study, .threads = request_.threads}, hooks_.work);
+    const GrowthStep& before = path_.steps[path_.LastKept()];
+    WorkHooks hooks = hooks_.work;
+    hooks.show = [this](const std::string& text) { hooks_.work.Show(StepWords() + ", " + text); };
+    const RunSuggestions run = SuggestForRun({.run = request_.output / before.folder / "fit",
+                                              .study = StudyOf(before),
+                                              .set = SetOf(before),
+                                              .threads = request_.threads},
+                                             hooks);
     const Suggestions& suggestions = run.suggestions;
-    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Worthwhile()) && !hooks_.work.IsStopped(); ++k) {
+    if (suggestions.is_interrupted) return std::nullopt;
+    GrowthRound round{.residuals = suggestions.residuals, .additions = suggestions.tried};
+    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Worthwhile()); ++k) {
       const SuggestedAddition& one = suggestions.list[k];
-      GrowthStep step{.added = one.addition.words,
-                      .mechanism = one.addition.mechanism,
-                      .elements = one.addition.elements,
-                      .folder = FolderOf(grown_.steps.size())};
-      const fs::path folder = request_.output / step.folder;
-      WriteApplied(run, k + 1, folder);
-      hooks_.work.Note("step " + std::to_string(grown_.steps.size()) + ": " + step.added);
-      if (!Fit(folder / "study.yaml", step)) return std::nullopt;
-      step.criterion = CriterionChange(before.cost, step.cost, suggestions.residuals, one.effective, one.addition.count,
-                                       suggestions.tried);
-      Judge(before, step);
-      grown_.steps.push_back(step);
-      WritePath();
-      if (step.is_kept) return folder / "study.yaml";
+      round.candidates.push_back({.added = one.addition.words,
+                                  .mechanism = one.addition.mechanism,
+                                  .elements = one.addition.elements,
+                                  .folder = FolderOf(path_.steps.size() + k),
+                                  .effective = one.effective,
+                                  .parameters = one.addition.count});
+      WriteApplied(run, k + 1, request_.output / round.candidates.back().folder);
     }
-    return std::nullopt;
+    return round;
   }
 
-  static void Judge(const GrowthStep& before, GrowthStep& step) {
-    constexpr double kWorse = 1.02;  // of its error; less is chance
-    if (!(step.criterion < 0)) step.reason = "the criterion does not fall";
-    else if (step.validation_percent > kWorse * before.validation_percent)
-      step.reason = "validation recordings are predicted worse";
-    step.is_kept = step.reason.empty();
+  /// The next of the round.
+  void Try() {
+    const GrowthStep before = path_.steps[path_.LastKept()];
+    const std::size_t place = path_.TriedOfRound();
+    const GrowthCandidate& one = path_.round->candidates[place];
+    GrowthStep step{
+        .added = one.added, .mechanism = one.mechanism, .elements = one.elements, .folder = one.folder};
+    hooks_.work.Note(StepWords() + ", addition " + std::to_string(place + 1) + " of " +
+                     std::to_string(path_.round->candidates.size()) + ": " + step.added);
+    if (!FitOrRefuse(step)) return;
+    if (step.reason.empty()) {
+      step.criterion = CriterionChange(before.cost, step.cost, path_.round->residuals, one.effective, one.parameters,
+                                       path_.round->additions);
+      Judge(before, step);
+    }
+    path_.steps.push_back(step);
+    if (step.is_kept) path_.round.reset();
+    WritePath();
+  }
+
+  /// False where the user stops it.
+  bool FitOrRefuse(GrowthStep& step) {
+    try {
+      if (Fit(StudyOf(step), step)) return true;
+      if (hooks_.work.IsStopped()) return false;
+      step.reason = "it cannot be fitted";
+    } catch (const OutputError&) {
+      throw;
+    } catch (const std::exception& failure) {
+      step.reason = "it cannot be fitted";
+      hooks_.work.Note(step.reason + ": " + failure.what());
+    }
+    step.cost = step.misfit = step.criterion = step.validation_percent = std::nan("");
+    return true;
   }
 
   /// The last fit again, from the evaluations that it made.
-  void Finish(const fs::path& study) {
+  void Finish() {
+    const GrowthStep& last = path_.steps[path_.LastKept()];
     std::error_code failure;
-    fs::copy_file(request_.output / LastKept().folder / "fit" / kTrace, request_.output / kTrace,
+    fs::copy_file(request_.output / last.folder / "fit" / kTrace, request_.output / kTrace,
                   fs::copy_options::overwrite_existing, failure);
-    FitRequest request = request_;
-    request.study = study;
-    request.from_file = !LastKept().added.empty();
-    if (!grown_.is_interrupted) grown_.fit = FitStudy(request, hooks_);
-    else grown_.fit = FitStudy(AlreadyFitted(request), {.work = {.note = hooks_.work.note, .find = hooks_.work.find}});
+    FitRequest request = RequestOf(last);
+    request.growth = GrowthSummary{
+        .added = path_.Added(), .end = path_.end, .is_interrupted = grown_.is_interrupted, .state = path_.state};
+    if (!grown_.is_interrupted) {
+      request.only_whole = true;
+      grown_.fit = FitStudy(request, hooks_);
+      if (grown_.fit.is_written || !hooks_.work.IsStopped() || HasThisResult()) return;
+    }
+    grown_.fit = FitStudy(AlreadyFitted(request), {.work = {.note = hooks_.work.note, .find = hooks_.work.find}});
+  }
+
+  /// Whether the output holds the result of the same growth, ended.
+  bool HasThisResult() const {
+    const nlohmann::json growth = ReadResultFile(request_.output / "result.json").value("growth", nlohmann::json());
+    return TextAt(growth, "state") == path_.state && !growth.value("interrupted", true);
   }
 
   /// What costs no evaluation, so that nothing stops it.
   static FitRequest AlreadyFitted(FitRequest request) {
     request.name_missing = false;
+    request.only_whole = false;
     request.profile.clear();
     return request;
   }
 
   void WritePath() const {
-    Json steps = Json::array();
-    for (const GrowthStep& step : grown_.steps) steps.push_back(StepJson(step));
     OutputFolder output(request_.output / "steps", "", "growth.json");
-    output.Add("growth.json", JsonText(Json{{"study", request_.study.filename().string()},
-                                            {"steps", steps},
-                                            {"end", grown_.end.empty() ? Json() : Json(grown_.end)}}));
+    output.Add("growth.json", GrowthJson(path_));
     output.Commit();
   }
 
   const FitRequest& request_;
   const FitRunHooks& hooks_;
+  GrowthPath path_;
   GrownFit grown_;
 };
 

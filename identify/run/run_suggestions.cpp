@@ -1,6 +1,7 @@
 #include "identify/run/run_suggestions.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,14 @@ namespace fourpost {
 namespace {
 
 using Eigen::Index;
+
+/// Throws FaultyInput.
+LoadedStudy FittedStudy(const SuggestRequest& request) {
+  Diagnostics diagnostics;
+  std::optional<LoadedStudy> study = LoadStudy(request.study, diagnostics, request.set);
+  if (!study || diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  return *std::move(study);
+}
 
 /// Of the study's free parameters. Throws FaultyInput where the run fitted others.
 Eigen::VectorXd FittedValues(const nlohmann::json& result, const LoadedStudy& study) {
@@ -44,7 +53,7 @@ void RequireCost(const nlohmann::json& result, double cost, const std::filesyste
 
 RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hooks) {
   const nlohmann::json result = ReadResultFile(request.run / "result.json");
-  RunSuggestions run{.study = LoadSoundStudy(request.study)};
+  RunSuggestions run{.study = FittedStudy(request)};
   if (result.value("post_noise_share", 0.0) > kMostlyInputNoise) {
     Diagnostics noise;
     noise.Report(kSuggestPostNoise, {(request.run / "result.json").string()});

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "analysis/process/work_hooks.h"
 #include "analysis/text/diagnostics.h"
@@ -14,6 +16,8 @@ struct SuggestRequest {
   std::filesystem::path run;
   /// The study that it fitted.
   std::filesystem::path study;
+  /// Values of parameters that it was given, see FitRequest.
+  std::vector<std::string> set = {};
   /// 0: one per processor.
   int threads = 0;
 };

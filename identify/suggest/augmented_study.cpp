@@ -16,6 +16,13 @@ std::string FirstErrorOf(const Diagnostics& diagnostics) {
   return "";
 }
 
+Vehicle WithValuesOf(const Vehicle& studied, Vehicle extended) {
+  for (Parameter& parameter : extended.parameters)
+    for (const Parameter& known : studied.parameters)
+      if (known.name == parameter.name) parameter.value = known.value;
+  return extended;
+}
+
 AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& addition)
     : study_(study), addition_(addition) {
   if (addition.study) return;
@@ -24,7 +31,7 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
     Diagnostics findings;
     std::optional<Vehicle> vehicle = ReadVehicleText(addition.vehicle, study.vehicle.file, findings);
     if (!vehicle) throw FaultyInput(findings);
-    vehicle_ = *std::move(vehicle);
+    vehicle_ = WithValuesOf(study.vehicle, *std::move(vehicle));
   }
   for (const std::size_t i : study.free) free_.push_back(PlaceOf(study.vehicle.parameters[i].name));
   for (const std::string& name : addition.parameters) {

@@ -17,6 +17,9 @@ namespace fourpost {
 /// The first error's message; empty without one.
 std::string FirstErrorOf(const Diagnostics& diagnostics);
 
+/// The vehicle of an addition's text with the values that the study gives its parameters, by `start` or an option.
+Vehicle WithValuesOf(const Vehicle& studied, Vehicle extended);
+
 /// A study's objective with one addition in it. Both must outlive it.
 class AugmentedStudy {
  public:

@@ -381,7 +381,7 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
   if (!addition.vehicle.empty()) {
     std::optional<Vehicle> read = ReadVehicleText(addition.vehicle, study.vehicle.file, findings);
     if (!read) throw FaultyInput(findings);
-    vehicle = *std::move(read);
+    vehicle = WithValuesOf(study.vehicle, *std::move(read));
   }
   std::vector<double> all = vehicle.ParameterValues();
   const auto set = [&](const std::string& name, double value) {
