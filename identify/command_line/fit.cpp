@@ -60,9 +60,8 @@ int Run(const FitCommand& command) {
                           .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
                           .begin = CatchInterrupts,
                           .fit = [](const FitOptions& options) { return ShownFit(options); }};
-  const GrownFit grown = command.grow
-                             ? GrowFit(command, hooks)
-                             : GrownFit{.path = {}, .fit = FitStudy(command, hooks), .folder = command.output};
+  const GrownFit grown = command.grow ? GrowFit(command, hooks)
+                                      : GrownFit{.path = {}, .fit = FitStudy(command, hooks), .folder = command.output};
   const FitRun& run = grown.fit;
   const FitResult& fit = run.fit;
   if (!run.is_written) {

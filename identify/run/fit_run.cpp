@@ -156,10 +156,8 @@ nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, cons
 
 /// What a fit that grew says of that.
 nlohmann::ordered_json GrownJson(const GrowthSummary& growth) {
-  return {{"added", growth.added},
-          {"end", growth.end},
-          {"interrupted", growth.is_interrupted},
-          {"state", growth.state}};
+  return {
+      {"added", growth.added}, {"end", growth.end}, {"interrupted", growth.is_interrupted}, {"state", growth.state}};
 }
 
 /// One fit from its study to its folder.

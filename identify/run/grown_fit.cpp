@@ -54,9 +54,18 @@ std::string StateOf(const FitRequest& request) {
   return state.Hex();
 }
 
+/// Of these parameters.
+std::vector<std::string> AtBound(const FitResult& fit, const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  for (const FittedParameter& one : fit.parameters)
+    if (one.at_bound && std::find(names.begin(), names.end(), one.name) != names.end()) found.push_back(one.name);
+  return found;
+}
+
 void Judge(const GrowthStep& before, GrowthStep& step) {
   constexpr double kWorse = 1.02;  // of its error; less is chance
   if (!(step.criterion < 0)) step.reason = "the criterion does not fall";
+  else if (!step.at_bound.empty()) step.reason = "its " + step.at_bound.front() + " ends at a bound";
   else if (step.validation_percent > kWorse * before.validation_percent)
     step.reason = "validation recordings are predicted worse";
   step.is_kept = step.reason.empty();
@@ -171,7 +180,32 @@ class Grower {
       return EndWith("the limit of " + std::to_string(kMostAdditions) + " additions was reached");
     if (!path_.round) return LookForMore();
     if (path_.TriedOfRound() < path_.round->candidates.size()) return Try();
+    if (KeepOneAtItsBound()) return;
     EndWith(path_.round->candidates.empty() ? "nothing more pays" : "no addition that promised more holds it");
+  }
+
+  /// An addition that the data push to the end of what it may be is not what they show, and stands back behind others;
+  /// where there are none it is better than nothing.
+  bool KeepOneAtItsBound() {
+    const auto first = path_.steps.begin() + static_cast<std::ptrdiff_t>(path_.LastKept() + 1);
+    GrowthStep* best = nullptr;
+    for (auto step = first; step != path_.steps.end(); ++step) {
+      GrowthStep judged = *step;
+      judged.at_bound.clear();
+      judged.reason.clear();
+      if (step->at_bound.empty()) continue;
+      Judge(path_.steps[path_.LastKept()], judged);
+      if (judged.is_kept && (!best || step->criterion < best->criterion)) best = &*step;
+    }
+    if (!best) return false;
+    best->is_kept = true;
+    best->reason.clear();
+    // Those that were refused come before.
+    std::rotate(path_.steps.begin() + (best - path_.steps.data()),
+                path_.steps.begin() + (best - path_.steps.data()) + 1, path_.steps.end());
+    path_.round.reset();
+    WritePath();
+    return true;
   }
 
   /// What was reached is not lost by what comes after it.
@@ -208,7 +242,8 @@ class Grower {
                                   .elements = one.addition.elements,
                                   .folder = FolderOf(path_.steps.size() + k),
                                   .effective = one.effective,
-                                  .parameters = one.addition.count});
+                                  .count = one.addition.count,
+                                  .parameters = one.addition.parameters});
       WriteApplied(run, k + 1, request_.output / round.candidates.back().folder);
     }
     return round;
@@ -219,13 +254,13 @@ class Grower {
     const GrowthStep before = path_.steps[path_.LastKept()];
     const std::size_t place = path_.TriedOfRound();
     const GrowthCandidate& one = path_.round->candidates[place];
-    GrowthStep step{
-        .added = one.added, .mechanism = one.mechanism, .elements = one.elements, .folder = one.folder};
+    GrowthStep step{.added = one.added, .mechanism = one.mechanism, .elements = one.elements, .folder = one.folder};
     hooks_.work.Note(StepWords() + ", addition " + std::to_string(place + 1) + " of " +
                      std::to_string(path_.round->candidates.size()) + ": " + step.added);
     if (!FitOrRefuse(step)) return;
     if (step.reason.empty()) {
-      step.criterion = CriterionChange(before.cost, step.cost, path_.round->residuals, one.effective, one.parameters,
+      step.at_bound = AtBound(grown_.fit.fit, one.parameters);
+      step.criterion = CriterionChange(before.cost, step.cost, path_.round->residuals, one.effective, one.count,
                                        path_.round->additions);
       Judge(before, step);
     }
@@ -250,7 +285,7 @@ class Grower {
     return true;
   }
 
-  /// The last fit again, from the evaluations that it made.
+  /// The last fit again, from the evaluations that it made, with a search: the steps went on from one point.
   void Finish() {
     const GrowthStep& last = path_.steps[path_.LastKept()];
     std::error_code failure;
@@ -261,8 +296,13 @@ class Grower {
         .added = path_.Added(), .end = path_.end, .is_interrupted = grown_.is_interrupted, .state = path_.state};
     if (!grown_.is_interrupted) {
       request.only_whole = true;
-      grown_.fit = FitStudy(request, hooks_);
-      if (grown_.fit.is_written || !hooks_.work.IsStopped() || HasThisResult()) return;
+      hooks_.work.Note("the last step that was kept is fitted once more, with a search");
+      FitRequest searched = request;
+      searched.from_file = false;
+      // Its steps were not asked either.
+      searched.accept_unidentified = true;
+      grown_.fit = FitStudy(searched, hooks_);
+      if (grown_.fit.is_written || (hooks_.work.IsStopped() && HasThisResult())) return;
     }
     grown_.fit = FitStudy(AlreadyFitted(request), {.work = {.note = hooks_.work.note, .find = hooks_.work.find}});
   }

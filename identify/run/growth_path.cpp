@@ -23,6 +23,7 @@ Json StepJson(const GrowthStep& step) {
           {"misfit", NumberOrNull(step.misfit)},
           {"criterion_change", NumberOrNull(step.criterion)},
           {"validation_percent", NumberOrNull(step.validation_percent)},
+          {"at_bound", step.at_bound},
           {"kept", step.is_kept},
           {"reason", step.reason}};
 }
@@ -37,6 +38,7 @@ GrowthStep StepOf(const nlohmann::json& json) {
           .misfit = NumberAt(json, "misfit"),
           .criterion = NumberAt(json, "criterion_change"),
           .validation_percent = NumberAt(json, "validation_percent"),
+          .at_bound = json.at("at_bound"),
           .is_kept = json.at("kept"),
           .reason = json.at("reason")};
 }
@@ -50,6 +52,7 @@ Json RoundJson(const std::optional<GrowthRound>& round) {
                           {"elements", one.elements},
                           {"folder", one.folder},
                           {"effective_residuals", one.effective},
+                          {"count", one.count},
                           {"parameters", one.parameters}});
   return {{"residuals", round->residuals}, {"tried", round->additions}, {"candidates", candidates}};
 }
@@ -63,6 +66,7 @@ std::optional<GrowthRound> RoundOf(const nlohmann::json& json) {
                                 .elements = one.at("elements"),
                                 .folder = one.at("folder"),
                                 .effective = one.at("effective_residuals"),
+                                .count = one.at("count"),
                                 .parameters = one.at("parameters")});
   return round;
 }
@@ -122,6 +126,8 @@ GrowthPath EarlierGrowth(const std::filesystem::path& output, const std::string&
   try {
     const nlohmann::json json = ReadResultFile(output / "steps" / "growth.json");
     if (TextAt(json, "state") != state) return {};
+    path.study = TextAt(json, "study");
+    path.state = state;
     for (const nlohmann::json& step : json.at("steps")) path.steps.push_back(StepOf(step));
     path.round = RoundOf(json.at("round"));
     path.end = TextAt(json, "end");

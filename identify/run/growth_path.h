@@ -25,6 +25,8 @@ struct GrowthStep {
   /// Root mean square over the channels of all validation recordings of what is left of them, in per cent; NaN without
   /// such recordings.
   double validation_percent = 0;
+  /// Parameters of what was added that ended at their bounds.
+  std::vector<std::string> at_bound = {};
   bool is_kept = false;
   /// Why it is not.
   std::string reason = {};
@@ -39,7 +41,9 @@ struct GrowthCandidate {
   std::string folder;
   /// For CriterionChange().
   double effective = 0;
-  int parameters = 0;
+  int count = 0;
+  /// Names of the parameters that it adds or frees.
+  std::vector<std::string> parameters = {};
 };
 
 /// What is to be tried upon the last step that was kept, one after the other until one is kept in its turn.

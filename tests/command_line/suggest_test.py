@@ -125,31 +125,117 @@ class Suggest(ProgramTest):
         answer = self.run_program("suggest", "run", "--study", "study.yaml")
         self.assert_finding(answer.stderr, "suggest-post-noise", "run/result.json")
 
+    def test_holds_what_the_study_sets(self):
+        """The file has another tyre than the car, which the study states."""
+        self.record(FRICTION)
+        self.replace_in("vehicle.urdf", 'value="230 kN/m"', 'value="190 kN/m"')
+        study = (self.folder / "study.yaml").read_text() + "free: all but [kt]\n"
+        self.write("study.yaml", study + "start: {kt: 230 kN/m}\n")
+        self.fit("study.yaml", "run")
+        first = self.suggested("--apply", "1", "-o", "with_friction")["suggestions"][0]
+        self.assertEqual(first["mechanism"], "friction")
+        # With the file's tyre it would explain little.
+        self.assertGreater(first["fall_percent"], 80)
+        check = json.loads(self.run_program("check", "with_friction/vehicle.urdf", "--json").stdout)
+        self.assertEqual([one["value"] for one in check["parameters"] if one["name"] == "kt"], [230e3])
+        # By an option as well.
+        self.write("study.yaml", study)
+        self.fit("study.yaml", "grown", "--grow", "--set", "kt=230kN/m")
+        self.assertEqual(self.kept(), ["", "friction"])
+        self.assertLess(self.grown("result.json")["misfit"], 1.2)
+
+    def grown(self, name):
+        return json.loads((self.folder / "grown" / name).read_text())
+
+    def kept(self):
+        return [step["mechanism"] for step in self.grown("steps/growth.json")["steps"] if step["kept"]]
+
+    def written(self):
+        """When the result of each step was written."""
+        return {path.parent.parent.name: path.stat().st_mtime_ns
+                for path in (self.folder / "grown/steps").glob("*/fit/result.json")}
+
+    def grow(self, *more):
+        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
+        return self.run_program(*words, *more)
+
     def test_fit_grows(self):
         self.record(FRICTION)
-        self.fit("study.yaml", "grown", "--grow")
-        path = json.loads((self.folder / "grown/steps/growth.json").read_text())
-        kept = [step["mechanism"] for step in path["steps"] if step["kept"]]
-        self.assertEqual(kept, ["", "friction"])
-        self.assertEqual(path["end"], "the stated errors explain the residuals")
-        result = json.loads((self.folder / "grown/result.json").read_text())
+        told = self.grow()
+        self.assertEqual(self.kept(), ["", "friction"])
+        self.assertEqual(self.grown("steps/growth.json")["end"], "the stated errors explain the residuals")
+        result = self.grown("result.json")
         self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
+        self.assertEqual(result["growth"]["added"], ["dry friction beside damper 'damper'"])
+        self.assertIs(result["growth"]["interrupted"], False)
+        self.assertRegex(told.stderr, r"(?m)^step 0 of at most 12: the study as it stands$")
+        self.assertRegex(told.stderr, r"(?m)^step 1 of at most 12, addition 1 of \d: dry friction beside damper 'damper'$")
+        # Once more: nothing is fitted, and the answer is the same.
+        written = self.written()
+        again = self.grow()
+        self.assertEqual(again.stdout, told.stdout)
+        self.assertEqual(self.written(), written)
+        self.assertIn("growth had ended: the stated errors explain the residuals", again.stderr)
+        self.assertNotIn("step 1 of", again.stderr)
+        # Of another study it begins anew.
+        self.replace_in("study.yaml", "seed: 1", "seed: 2")
+        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
+        first = next(line for line in self.start_program(*words).stderr if line.startswith(("step", "growth")))
+        self.assertEqual(first, "step 0 of at most 12: the study as it stands\n")
 
-    def test_growth_that_is_interrupted_ends_with_its_last_step(self):
+    def test_growth_tries_no_refused_addition_again(self):
+        self.record(FRICTION)
+        self.grow()
+        file = self.folder / "grown/steps/growth.json"
+        path = json.loads(file.read_text())
+        # As if validation recordings had spoken against it.
+        step = path["steps"][1]
+        step |= {"kept": False, "reason": "validation recordings are predicted worse"}
+        candidate = {key: step[key] for key in ("added", "mechanism", "elements", "folder")}
+        path |= {"over": False, "end": None,
+                 "round": {"residuals": 100, "tried": 30,
+                           "candidates": [candidate | {"effective_residuals": 50.0, "count": 1, "parameters": []}]}}
+        file.write_text(json.dumps(path))
+        written = self.written()
+        told = self.grow().stderr
+        self.assertIn("growth goes on after step 0", told)
+        self.assertNotIn("step 1 of", told)
+        self.assertEqual(self.written(), written)
+        path = self.grown("steps/growth.json")
+        self.assertEqual([step["kept"] for step in path["steps"]], [True, False])
+        self.assertEqual(path["end"], "no addition that promised more holds it")
+
+    def test_growth_that_is_interrupted_goes_on_after_its_last_step(self):
         self.record(FRICTION)
         command = [FOURPOST, "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"]
         program = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for line in program.stderr:
-            if line.startswith("step 1:"):
+            if line.startswith("step 1 of"):
                 program.send_signal(signal.SIGINT)
                 break
         output, errors = program.communicate()
         self.assertEqual(program.returncode, 130)
         self.assertIn("those of the last step that was kept", errors)
-        self.assertIn("nothing", output)
-        result = json.loads((self.folder / "grown/result.json").read_text())
+        self.assertEqual(errors.splitlines()[-1], "growth was interrupted after step 0; the same command goes on there")
+        self.assertIn("Growth was interrupted after step 0", output)
+        self.assert_finding(output, "growth-interrupted")
+        result = self.grown("result.json")
         self.assertEqual(result["termination"], "converged")
+        self.assertIs(result["growth"]["interrupted"], True)
+        self.assertIn("growth-interrupted", [one["id"] for one in result["conclusions"]])
         self.assertTrue(all(one["interval_95"] for one in result["parameters"]))
+        report = (self.folder / "grown/report.html").read_text()
+        self.assertIn("Growth was interrupted after step 0", report)
+        self.assertNotIn('<b class="word">Good', report)
+        # Neither the first fit nor the look for additions is made again.
+        before = self.written()["0"]
+        told = self.grow().stderr
+        self.assertEqual(self.written()["0"], before)
+        self.assertIn("growth goes on after step 0", told)
+        self.assertNotIn("step 1 of at most 12, suggest", told)
+        self.assertEqual(self.kept(), ["", "friction"])
+        self.assertIs(self.grown("result.json")["growth"]["interrupted"], False)
+        self.assertNotIn("Growth was interrupted", (self.folder / "grown/report.html").read_text())
 
 
 if __name__ == "__main__":

@@ -88,6 +88,7 @@ TEST(Certainty, LeavesOutOnlyWhatCannotBeEvaluated) {
   const FitResult fit = FitOf(VehicleObjective(all.vehicle(), {0}, all.blocks()));
   ASSERT_TRUE(fit.certainty);
   EXPECT_EQ(fit.certainty->held, std::vector<std::string>{"p1"});
+  EXPECT_EQ(fit.certainty->held_left_out, std::vector<std::string>{"p2"});
   EXPECT_NEAR(fit.certainty->held_sd[0], std::log(25.0) / std::sqrt(12.0), 1e-3);
 }
 

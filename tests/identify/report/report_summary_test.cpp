@@ -239,6 +239,19 @@ TEST(Summary, SaysThatARunHasNotEnded) {
                     HasSubstr("Run the same command again")));
 }
 
+// The fit of its last step converged.
+TEST(Summary, SaysThatAGrowthHasNotEnded) {
+  Json result = Good();
+  result["misfit"] = 0.9;
+  result["channels"].erase(1);
+  result["growth"] = {{"added", {"a mount", "friction <b>"}}, {"end", "interrupted"}, {"interrupted", true}};
+  EXPECT_THAT(SummaryOf(result, Known()),
+              AllOf(HasSubstr("verdict open"), HasSubstr("Growth was interrupted after step 2 (friction &lt;b&gt;)."),
+                    HasSubstr("Run the same command again; growth goes on")));
+  result["growth"]["interrupted"] = false;
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("verdict good"), Not(HasSubstr("interrupted"))));
+}
+
 // A refinement that was stopped agrees with nothing.
 TEST(Summary, TellsOfAnInterruptedRunWhatItHadDone) {
   Json result = Good();

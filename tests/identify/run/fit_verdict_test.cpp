@@ -44,6 +44,31 @@ TEST(FitVerdict, NamesWhatCouldNotBeTakenIntoAccount) {
   EXPECT_THAT(conclusions, Reports(kCalibrationUnused, 0));
 }
 
+TEST(FitVerdict, NamesHeldParametersWithoutADerivative) {
+  FitResult fit;
+  fit.certainty.emplace();
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), testing::Not(Reports(kHeldLeftOut, 0)));
+  fit.certainty->held_left_out = {"k_stop", "gap"};
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kHeldLeftOut, 0, {"k_stop, gap"}));
+}
+
+// Two starts may well end apart, and one refinement has nothing to agree with.
+TEST(FitVerdict, NamesABestOptimumThatOneOfManyRefinementsFound) {
+  FitResult fit;
+  fit.end = FitEnd::kConverged;
+  const auto of = [&](int agreeing, int starts) {
+    fit.agreeing = agreeing;
+    fit.starts = starts;
+    return ConclusionsOf(fit, {}, true);
+  };
+  EXPECT_THAT(of(1, 5), Reports(kRefinementsDisagree, 0, {"1 of 5"}));
+  EXPECT_THAT(of(1, 3), Reports(kRefinementsDisagree, 0, {"1 of 3"}));
+  EXPECT_THAT(of(2, 5), testing::Not(Reports(kRefinementsDisagree, 0)));
+  EXPECT_THAT(of(1, 2), testing::Not(Reports(kRefinementsDisagree, 0)));
+  fit.end = FitEnd::kInterrupted;
+  EXPECT_THAT(of(1, 5), testing::Not(Reports(kRefinementsDisagree, 0)));
+}
+
 TEST(FitVerdict, DoesNotJudgeAFitThatWasInterrupted) {
   std::vector<ErrorShare> misfits;
   misfits = {Share("s_rear", "bounce", 1, 240)};
