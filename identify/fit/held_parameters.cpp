@@ -22,14 +22,15 @@ double DeviationOf(const Parameter& parameter, const FitVariables& variables, In
                                      : *parameter.prior_sd / (parameter.upper - parameter.lower);
 }
 
-std::vector<std::size_t> PlacesHeld(const VehicleObjective& objective) {
+/// Of those that are held and have a range: the ones within it, or the others.
+std::vector<std::size_t> PlacesHeld(const VehicleObjective& objective, bool are_inside) {
   std::vector<std::size_t> places;
   const std::vector<std::size_t>& free = objective.free();
   for (std::size_t i = 0; i < objective.vehicle().parameters.size(); ++i) {
     const Parameter& parameter = objective.vehicle().parameters[i];
     const bool is_free = std::find(free.begin(), free.end(), i) != free.end();
     const bool is_inside = parameter.lower <= parameter.value && parameter.value <= parameter.upper;
-    if (!is_free && parameter.lower < parameter.upper && is_inside) places.push_back(i);
+    if (!is_free && parameter.lower < parameter.upper && is_inside == are_inside) places.push_back(i);
   }
   return places;
 }
@@ -58,7 +59,7 @@ std::optional<Eigen::MatrixXd> JacobianOf(const VehicleObjective& objective, con
 
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated) {
-  const std::vector<std::size_t> places = PlacesHeld(objective);
+  const std::vector<std::size_t> places = PlacesHeld(objective, true);
   Vehicle fitted = objective.vehicle();
   const std::vector<double> all = objective.AllParameters(values);
   for (std::size_t i = 0; i < all.size(); ++i) fitted.parameters[i].value = all[i];
@@ -66,7 +67,7 @@ HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& 
   const auto of = [&](const std::vector<std::size_t>& some) {
     return JacobianOf(VehicleObjective(fitted, some, objective.blocks()), refine, threads, stop, evaluated);
   };
-  HeldParameters held;
+  HeldParameters held{.left_out = PlacesHeld(objective, false)};
   const auto add = [&](const std::vector<std::size_t>& some, const Eigen::MatrixXd& jacobian) {
     held.places.insert(held.places.end(), some.begin(), some.end());
     held.jacobian.conservativeResize(jacobian.rows(), held.jacobian.cols() + jacobian.cols());

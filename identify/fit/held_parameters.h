@@ -20,7 +20,7 @@ struct HeldParameters {
   Eigen::VectorXd variable_sd;
   /// d residuals / d FitVariables of them, N x held; priors of the free ones included.
   Eigen::MatrixXd jacobian;
-  /// Places of those that the model has no derivative by: they are in none of the above.
+  /// Places of those outside their ranges, and of those that the model has no derivative by: in none of the above.
   std::vector<std::size_t> left_out;
 };
 

@@ -90,8 +90,8 @@ inline const Finding kCalibrationUnused{
     "check whether the vehicle lacks something, or state smaller standard deviations"};
 inline const Finding kHeldLeftOut{
     "held-left-out", Severity::kWarning,
-    "the intervals take these held parameters as exactly known, because the model cannot be evaluated beside their "
-    "values: {}",
+    "the intervals take these held parameters as exactly known, because they are outside their ranges or the model "
+    "cannot be evaluated beside their values: {}",
     "correct their values or ranges; look at them with `fourpost check MODEL --set P=VALUE`"};
 inline const Finding kRefinementsDisagree{
     "refinements-disagree", Severity::kWarning,

@@ -115,6 +115,15 @@ void StudyEdit::AddFree(const std::vector<std::string>& names) {
   changes_[end] = {end, added};
 }
 
+void StudyEdit::NameDamper(const std::string& name) {
+  const YAML::Node bench = YAML::Load(text_)["bench"];
+  if (!bench.IsDefined() || !bench.IsMap() || bench.size() == 0 || bench["damper"].IsDefined()) return;
+  const auto begin = static_cast<std::size_t>(bench.begin()->first.Mark().pos);
+  const std::size_t line = text_.rfind('\n', begin) + 1;
+  const std::string next = bench.Style() == YAML::EmitterStyle::Flow ? ", " : '\n' + std::string(begin - line, ' ');
+  changes_[begin] = {begin, "damper: \"" + name + '"' + next};
+}
+
 bool StudyEdit::CorrectChannels(const std::vector<std::string>& sensors, const std::string& key,
                                 const std::string& value) {
   const YAML::Node study = YAML::Load(text_);

@@ -21,6 +21,8 @@ class StudyEdit {
   void SetVehicle(const std::string& file);
   /// To the list `free`, where there is one.
   void AddFree(const std::vector<std::string>& names);
+  /// Of a `bench` that names no damper, for a vehicle that gets another one.
+  void NameDamper(const std::string& name);
   /// Adds `key: value`, such as "delay: 2 ms", to all recorded channels that the sensors of these names are taken from,
   /// in `channels` and in those of `histories`. A delay is added to one that is stated already, a scale multiplied with
   /// it. False, and nothing is changed, where no channel is listed or what is stated cannot be read.

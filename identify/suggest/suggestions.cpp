@@ -402,6 +402,8 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
   edit.Rebase(files, study.study.file.parent_path(), folder);
   edit.SetVehicle("vehicle.urdf");
   edit.AddFree(addition.parameters);
+  if (study.vehicle.dampers.size() == 1 && vehicle.dampers.size() > 1)
+    edit.NameDamper(study.vehicle.dampers.front().name);
   const std::string text = VehicleTextWithValues(vehicle, all, folder);
   return {.vehicle = addition.vehicle.empty() ? text : WithNarrowBounds(text, suggestion), .study = edit.Text()};
 }

@@ -144,6 +144,17 @@ class Suggest(ProgramTest):
         self.assertEqual(self.kept(), ["", "friction"])
         self.assertLess(self.grown("result.json")["misfit"], 1.2)
 
+    def test_friction_of_a_damper_on_a_bench_can_be_fitted(self):
+        """It is a second damper beside the one that was recorded."""
+        suggest.bench(self.folder, ("", "linear", 0), random.Random(1))
+        self.fit("study.yaml", "run")
+        every = self.suggested("--all")["suggestions"]
+        number = next(one["number"] for one in every if one["mechanism"] == "friction")
+        self.suggested("--all", "--apply", number, "-o", "with_friction")
+        self.fit("with_friction/study.yaml", "run2")
+        result = json.loads((self.folder / "run2/result.json").read_text())
+        self.assertIn("friction_damper", [one["name"] for one in result["parameters"]])
+
     def grown(self, name):
         return json.loads((self.folder / "grown" / name).read_text())
 

@@ -62,6 +62,16 @@ TEST(Certainty, CountsWhatHasNoRangeAsExact) {
   EXPECT_EQ(fit.certainty->LimitedBy(0), "noise");
 }
 
+TEST(Certainty, NamesWhatIsHeldOutsideItsRange) {
+  const VehicleObjective both = Sum();
+  Vehicle vehicle = both.vehicle();
+  vehicle.parameters[1].lower = 1.5;
+  const FitResult fit = FitOf(VehicleObjective(vehicle, {0}, both.blocks()));
+  ASSERT_TRUE(fit.certainty);
+  EXPECT_EQ(fit.certainty->held_left_out, std::vector<std::string>{"p1"});
+  EXPECT_EQ(fit.certainty->held_sd[0], 0);
+}
+
 // A fifth of the model error stands for what all parts of the data have in common, which is then known; what is left
 // contradicts itself no more.
 TEST(Certainty, WhatIsMissingTakesThePlaceOfErrorsInCommon) {

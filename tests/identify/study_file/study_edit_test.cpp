@@ -44,6 +44,19 @@ TEST(StudyEdit, FreesParametersWhereAListNamesThem) {
   EXPECT_EQ(all.Text(), "vehicle: a.urdf\n");
 }
 
+TEST(StudyEdit, NamesTheDamperOfABenchThatNamesNone) {
+  const auto named = [](const std::string& text) {
+    StudyEdit edit(text);
+    edit.NameDamper("front");
+    return edit.Text();
+  };
+  EXPECT_EQ(named("vehicle: a\nbench:\n  # One.\n  recordings: [b]\n  force: f\n"),
+            "vehicle: a\nbench:\n  # One.\n  damper: \"front\"\n  recordings: [b]\n  force: f\n");
+  EXPECT_EQ(named("bench: {recordings: [b]}\n"), "bench: {damper: \"front\", recordings: [b]}\n");
+  EXPECT_EQ(named("bench: {damper: d, recordings: [b]}\n"), "bench: {damper: d, recordings: [b]}\n");
+  EXPECT_EQ(named(kStudy), kStudy);
+}
+
 TEST(StudyEdit, CorrectsAllChannelsOfASensor) {
   StudyEdit edit(kStudy);
   EXPECT_TRUE(edit.CorrectChannels({"a_body", "F"}, "delay", "2 ms"));
