@@ -16,6 +16,7 @@
 #include "identify/study/study_context.h"
 #include "identify/study_file/result_reader.h"
 #include "identify/suggest/score_test.h"
+#include "identify/suggest/wider_bounds.h"
 
 namespace fourpost {
 namespace {
@@ -258,6 +259,9 @@ class Grower {
     hooks_.work.Note(StepWords() + ", addition " + std::to_string(place + 1) + " of " +
                      std::to_string(path_.round->candidates.size()) + ": " + step.added);
     if (!FitOrRefuse(step)) return;
+    constexpr int kMostWider = 2;
+    for (int round = 0; round < kMostWider && step.reason.empty() && Widen(step); ++round)
+      if (!FitOrRefuse(step)) return;
     if (step.reason.empty()) {
       step.at_bound = AtBound(grown_.fit.fit, one.parameters);
       step.criterion = CriterionChange(before.cost, step.cost, path_.round->residuals, one.effective, one.count,
@@ -267,6 +271,22 @@ class Grower {
     path_.steps.push_back(step);
     if (step.is_kept) path_.round.reset();
     WritePath();
+  }
+
+  /// Bounds of what was added are guesses, and no more than guesses hold a parameter at them. False where none does.
+  bool Widen(const GrowthStep& step) const {
+    std::vector<BoundReached> reached;
+    for (const FittedParameter& one : grown_.fit.fit.parameters)
+      if (one.at_bound) reached.push_back({one.name, std::string(one.BoundName())});
+    if (reached.empty()) return false;
+    const LoadedStudy study = LoadSoundStudy(StudyOf(step));
+    const std::optional<std::string> vehicle = WithWiderBounds(study.vehicle.text, reached);
+    if (!vehicle) return false;
+    OutputFolder output(request_.output / step.folder, "", "study.yaml");
+    output.Add("vehicle.urdf", *vehicle);
+    output.Add("study.yaml", study.study.text);
+    output.Commit();
+    return true;
   }
 
   /// False where the user stops it.
