@@ -14,7 +14,7 @@
 
 namespace fourpost {
 
-/// A fit that grew, see GrowFit(): what its last fit tells of that.
+/// Of a fit that grew, see GrowFit(): what the results of its last one say of that.
 struct GrowthSummary {
   /// What was added, in words and in order.
   std::vector<std::string> added;

@@ -188,9 +188,16 @@ class Suggest(ProgramTest):
         self.assertEqual(self.written(), written)
         self.assertIn("growth had ended: the stated errors explain the residuals", again.stderr)
         self.assertNotIn("step 1 of", again.stderr)
+        # Interrupted or in time, it replaces nothing by less.
+        text = (self.folder / "grown/result.json").read_text()
+        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
+        program = self.start_program(*words)
+        next(line for line in program.stderr if line.startswith("the last step"))
+        program.send_signal(signal.SIGINT)
+        program.communicate()
+        self.assertEqual((self.folder / "grown/result.json").read_text(), text)
         # Of another study it begins anew.
         self.replace_in("study.yaml", "seed: 1", "seed: 2")
-        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
         first = next(line for line in self.start_program(*words).stderr if line.startswith(("step", "growth")))
         self.assertEqual(first, "step 0 of at most 12: the study as it stands\n")
 
