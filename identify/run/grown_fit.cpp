@@ -17,6 +17,7 @@
 #include "identify/study_file/result_reader.h"
 #include "identify/suggest/score_test.h"
 #include "identify/suggest/wider_bounds.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {
@@ -280,7 +281,10 @@ class Grower {
       if (one.at_bound) reached.push_back({one.name, std::string(one.BoundName())});
     if (reached.empty()) return false;
     const LoadedStudy study = LoadSoundStudy(StudyOf(step));
-    const std::optional<std::string> vehicle = WithWiderBounds(study.vehicle.text, reached);
+    // From where it came to, so that it ends no higher.
+    const std::string fitted =
+        VehicleTextWithValues(study.vehicle, grown_.fit.fit.values, request_.output / step.folder);
+    const std::optional<std::string> vehicle = WithWiderBounds(fitted, reached);
     if (!vehicle) return false;
     OutputFolder output(request_.output / step.folder, "", "study.yaml");
     output.Add("vehicle.urdf", *vehicle);
