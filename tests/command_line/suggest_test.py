@@ -126,7 +126,7 @@ class Suggest(ProgramTest):
         self.assert_finding(answer.stderr, "suggest-post-noise", "run/result.json")
 
     def test_holds_what_the_study_sets(self):
-        """The file has another tyre than the car, which the study states."""
+        """The file has another tyre than the study states."""
         self.record(FRICTION)
         self.replace_in("vehicle.urdf", 'value="230 kN/m"', 'value="190 kN/m"')
         study = (self.folder / "study.yaml").read_text() + "free: all but [kt]\n"
