@@ -333,8 +333,10 @@ class Grower {
 
   /// Whether the output holds the result of the same growth, ended.
   bool HasThisResult() const {
-    const nlohmann::json growth = ReadResultFile(request_.output / "result.json").value("growth", nlohmann::json());
-    return TextAt(growth, "state") == path_.state && !growth.value("interrupted", true);
+    const nlohmann::json result = ReadResultFile(request_.output / "result.json");
+    if (!result.is_object() || !result.contains("growth")) return false;
+    const nlohmann::json& growth = result["growth"];
+    return growth.is_object() && TextAt(growth, "state") == path_.state && !growth.value("interrupted", true);
   }
 
   /// What costs no evaluation, so that nothing stops it.
