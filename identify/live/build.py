@@ -34,7 +34,8 @@ vehicles/laws/dashpot_law vehicles/laws/hydraulic_cycle vehicles/laws/hydraulic_
 vehicles/laws/monotone_curve vehicles/laws/mounted_hydraulic_damper vehicles/laws/spring_law
 vehicles/response/contact_cycle vehicles/response/cycle_transform vehicles/response/excitation
 vehicles/response/harmonic_balance vehicles/response/hysteresis vehicles/response/linearised_cycle
-vehicles/response/port_cycle vehicles/response/port_newton vehicles/response/response_recorder
+vehicles/response/mean_slope_step vehicles/response/port_cycle vehicles/response/port_newton
+vehicles/response/response_recorder
 vehicles/response/tyre_contact
 """.split()
 
