@@ -109,7 +109,20 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
 /// moves where friction does.
 PortCycle::Method PortCycle::FirstMethod() const {
   if (IsTouched()) return Newton();
-  return has_friction_ ? Method::kAnderson : Method::kPlain;
+  return HasSteepFriction() ? Method::kAnderson : Method::kPlain;
+}
+
+/// Whether the plain iteration's steps answer friction with more than half of its change.
+bool PortCycle::HasSteepFriction() const {
+  const auto ports = static_cast<Eigen::Index>(ports_.size());
+  for (Eigen::Index j = 0; j < ports && has_friction_; ++j) {
+    const auto* dashpot = std::get_if<DashpotRemainder>(&ports_[static_cast<std::size_t>(j)].law);
+    if (!dashpot || !std::isfinite(StepOfRate(*dashpot))) continue;
+    const double slopes = dashpot->law.GreatestRate() - dashpot->law.LeastRate();
+    for (Eigen::Index h = 1; h < ports_receptance_.rows(); ++h)
+      if (static_cast<double>(h) * omega_ * std::abs(ports_receptance_(h, j + ports * j)) * slopes > 1) return true;
+  }
+  return false;
 }
 
 /// What is left of an iteration that shrinks steps by r is the step's share r / (1 - r). The other methods are taken

@@ -80,6 +80,7 @@ class PortCycle {
   enum class Method { kPlain, kNewton, kAnderson };
   static bool IsEnough(double change, double earlier, Method method, double tolerance);
   Method FirstMethod() const;
+  bool HasSteepFriction() const;
   Method Choose(double change, double before, double earlier, double tolerance) const;
   double Precondition();
   Method Newton() const;

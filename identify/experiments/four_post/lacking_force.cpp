@@ -10,6 +10,7 @@
 #include "identify/audit/audit_equations.h"
 #include "identify/audit/rig_fault.h"
 #include "identify/experiments/fit_balance.h"
+#include "identify/search/parallel.h"
 #include "vehicles/loops/motion_name.h"
 #include "vehicles/response/contact_cycle.h"
 #include "vehicles/response/needed_force.h"
@@ -338,11 +339,15 @@ ForceRecord LackingForce(const Subject& subject, const std::vector<double>& valu
   record.coordinates = NamedCoordinates(record.links, vehicle.size());
   const ParameterDoubts doubts = DoubtsOf(subject, values);
   const std::vector<FaultyRecords> faulty = RigDoubts(audited);
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    record.runs.push_back(runs[r].name);
+  std::vector<std::vector<ForceSample>> of_run(runs.size());
+  ForEachOnIdleThreads(runs.size(), [&](std::size_t r) {
     RunForce force(model, doubts, faulty, audited, runs[r], r);
     for (std::size_t f = 0; f < runs[r].excitation.frequency_Hz.size(); ++f)
-      if (std::optional<ForceSample> sample = force.At(f)) record.samples.push_back(*std::move(sample));
+      if (std::optional<ForceSample> sample = force.At(f)) of_run[r].push_back(*std::move(sample));
+  });
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    record.runs.push_back(runs[r].name);
+    for (ForceSample& sample : of_run[r]) record.samples.push_back(std::move(sample));
     record.not_measured.push_back(NotMeasured(record, r));
   }
   return record;
