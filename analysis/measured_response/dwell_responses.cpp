@@ -25,12 +25,19 @@ std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
   for (std::size_t d = 0; d <= looked.dwells.size(); ++d) {
     const bool is_last = d == looked.dwells.size();
     const auto end = is_last ? post.size() : std::min(post.size(), static_cast<std::size_t>(looked.dwells[d].start));
-    std::size_t first = begin;
-    std::size_t last = end;
-    // Rest at both ends is none.
-    while (first + 1 < last && std::abs(post[first + 1] - post[begin]) < kMoves * largest) ++first;
-    while (last > first + 1 && std::abs(post[last - 1] - post[end - 1]) < kMoves * largest) --last;
-    if (static_cast<double>(last) - static_cast<double>(first) > kLeast_s * rate_Hz)
+    // The ends of dwells are known to a cycle.
+    double least_s = kLeast_s;
+    const auto cycle_s = [&](const Dwell& dwell) { return 1 / (dwell.cycles_per_sample * rate_Hz); };
+    if (d > 0) least_s += cycle_s(looked.dwells[d - 1]);
+    if (!is_last) least_s += cycle_s(looked.dwells[d]);
+    std::vector<std::size_t> moving;
+    const auto at = [&](std::size_t k) { return post.begin() + static_cast<std::ptrdiff_t>(k); };
+    const double rest = begin < end ? Median(std::vector<double>(at(begin), at(end))) : 0;
+    for (std::size_t k = begin; k < end; ++k)
+      if (std::abs(post[k] - rest) > kMoves * largest) moving.push_back(k);
+    const std::size_t first = moving.empty() ? begin : moving.front();
+    const std::size_t last = moving.empty() ? begin : moving.back();
+    if (static_cast<double>(moving.size()) > least_s * rate_Hz)
       list.push_back("no dwell was found from " + Rounded(static_cast<double>(first) / rate_Hz, 3) + " to " +
                      Rounded(static_cast<double>(last) / rate_Hz, 3) +
                      " s, where the posts move: left out; dwell for ten cycles");

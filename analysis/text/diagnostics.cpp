@@ -61,7 +61,7 @@ std::string LikewiseText(const Diagnostic& item, const Diagnostic& first, const 
   const std::vector<bool> names = AreNames(item);
   std::string name;
   std::string others;
-  for (std::size_t i = 0; i < item.words.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(item.words.size(), differ.size()); ++i) {
     if (!differ[i]) continue;
     if (names[i]) name += (name.empty() ? "'" : " of '") + item.words[i] + "'";
     else if (item.words[i] != first.words[i]) others += (others.empty() ? "" : ", ") + item.words[i];
@@ -78,13 +78,28 @@ std::string MessageOfAll(const std::vector<const Diagnostic*>& group) {
   for (const Diagnostic* item : group)
     for (std::size_t i = 0; i < std::min(differ.size(), item->words.size()); ++i)
       differ[i] = differ[i] || item->words[i] != first.words[i];
+  constexpr std::size_t kMostNamed = 24;
   std::vector<std::string> others;
+  std::set<std::string> known;
   for (const Diagnostic* item : group) {
     if (item->words == first.words) continue;
     std::string text = LikewiseText(*item, first, differ);
-    if (std::find(others.begin(), others.end(), text) == others.end()) others.push_back(std::move(text));
+    if (!known.insert(text).second) continue;
+    if (others.size() < kMostNamed) others.push_back(std::move(text));
   }
+  if (known.size() > kMostNamed) others.push_back(std::to_string(known.size() - kMostNamed) + " more");
   return first.message + (others.empty() ? "" : "; likewise " + Joined(others));
+}
+
+/// Names beyond what a finding is of, "'a' of 'run'": those of its remedy.
+std::string FurtherNames(const Diagnostic& item) {
+  constexpr int kOwn = 2;
+  const std::vector<bool> names = AreNames(item);
+  std::string further;
+  int count = 0;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] && ++count > kOwn) further += item.words[i] + '\n';
+  return further;
 }
 
 }  // namespace
@@ -129,10 +144,11 @@ std::vector<Diagnostic> Diagnostics::ByWeight() const {
 
 std::vector<Diagnostic> Diagnostics::Grouped() const {
   std::vector<std::vector<const Diagnostic*>> groups;
-  std::map<std::tuple<std::string_view, Severity, std::string_view, int>, std::size_t> places;
+  std::map<std::tuple<std::string_view, Severity, std::string_view, int, std::string>, std::size_t> places;
   for (const Diagnostic& item : items_) {
     const int line = item.severity == Severity::kError ? item.place.line : 0;
-    const auto [found, is_new] = places.try_emplace({item.id, item.severity, Name(item.place), line}, groups.size());
+    const auto [found, is_new] =
+        places.try_emplace({item.id, item.severity, Name(item.place), line, FurtherNames(item)}, groups.size());
     if (is_new || !HasName(item)) groups.emplace_back();
     groups[is_new || !HasName(item) ? groups.size() - 1 : found->second].push_back(&item);
   }

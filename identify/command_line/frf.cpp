@@ -51,7 +51,9 @@ int Run(const FrfCommand& command) {
     all_may_be = MayBeRecording(other.path, findings) && all_may_be;
   if (!all_may_be || findings.HasErrors()) throw FaultyInput(findings);
   if (!command.output.empty()) {
-    RequireInputsElsewhere(command.request.files, command.output);
+    std::vector<std::filesystem::path> inputs = command.request.files;
+    for (const OtherFile& other : command.request.preparation.times.others) inputs.push_back(other.path);
+    RequireInputsElsewhere(inputs, command.output);
     OutputFolder(command.output, "", kMark);
   }
   const std::optional<MeasuredResponses> measured = MeasureResponses(command.request, findings);

@@ -51,7 +51,7 @@ std::string WhyUnmatched(const OfferedChannel& channel, const std::vector<Channe
                                "; add an fp:sensor to use it"
                          : "all that it may be has a channel (" + taken + ")";
   return "name it like " + best->name + ", or write `" + best->name + ": " + channel.name + "` under `channels`" +
-         (most > 0 ? "; its motion correlates by " + Rounded(most, 2) + ", 0.9 would do" : "");
+         (most > 0 ? "; its motion correlates by " + Rounded(most, 2) + ", at least 0.9 is needed" : "");
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ std::string DoubtOf(const ChannelMatch& match) {
   std::string doubt;
   const auto add = [&](const std::string& text) { doubt += (doubt.empty() ? "" : "; ") + text; };
   if (match.by == ChannelMatch::By::kMotion) add("by its motion alone");
-  if (match.by == ChannelMatch::By::kKind) add("as what is left of its kind");
+  if (match.by == ChannelMatch::By::kKind) add("as the last channel of its kind that was left");
   const bool is_named = match.by == ChannelMatch::By::kName || match.by == ChannelMatch::By::kLikeName;
   if (match.source.channels.front().factor < 0) add("moves against the vehicle, so its sign is turned");
   else if (is_named && match.rival.empty()) add("moves otherwise than the vehicle");

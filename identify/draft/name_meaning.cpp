@@ -120,6 +120,11 @@ std::optional<Corner> CornerAlone(const std::string& word, bool has_sides) {
   return std::nullopt;
 }
 
+bool HasCorner(const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](std::string word) { return kCorners.contains(word) || CornerBehind(word); });
+}
+
 /// By the place of the word.
 using Places = std::map<std::size_t, Corner>;
 
@@ -170,7 +175,8 @@ std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool 
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (words.size() < 2 || words[i].size() > 2) continue;
       std::optional<Corner> corner = CornerAmong(words[i], kin.at(others(words, i)));
-      if (!corner && i + 1 == words.size()) corner = CornerAlone(words[i], has_sides);
+      const bool is_last = i + 1 == words.size();
+      if (!corner && is_last && places.empty() && !HasCorner(words)) corner = CornerAlone(words[i], has_sides);
       if (corner) places.emplace(i, *corner);
     }
     meanings.push_back(MeaningOfWords(words, places));

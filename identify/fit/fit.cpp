@@ -70,8 +70,9 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObj
 
 bool HasOwnDerivatives(Archive& archive, const RefineResult& best, const RefineOptions& options) {
   const FitVariables variables(archive.lattice());
-  return best.jacobian.size() > 0 && DerivativesHold(archive, variables, variables.FromValues(best.values),
-                                                     best.jacobian, options.DifferenceStep(archive.problem()));
+  return best.jacobian.size() > 0 &&
+         DerivativesHold(archive, variables, variables.FromValues(best.values), best.residuals, best.jacobian,
+                         options.DifferenceStep(archive.problem()));
 }
 
 /// The model's own derivatives may be good enough for steps only: then differences end what they began, and give the

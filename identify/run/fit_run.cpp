@@ -320,7 +320,7 @@ class Fitter {
     if (missing && run.fit.certainty && run.fit.certainty->missing.empty()) missing->LeaveOutTogether();
     if (request_.only_whole && hooks_.work.IsStopped()) {
       run.fit.end = FitEnd::kInterrupted;
-      run.fit.message = "those of before stay;";
+      run.fit.message = "the earlier results are unchanged;";
       return;
     }
     const FitResult& fit = run.fit;

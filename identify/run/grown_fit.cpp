@@ -183,7 +183,7 @@ class Grower {
     if (!path_.round) return LookForMore();
     if (path_.TriedOfRound() < path_.round->candidates.size()) return Try();
     if (KeepOneAtItsBound()) return;
-    EndWith(path_.round->candidates.empty() ? "nothing more pays" : "no addition that promised more holds it");
+    EndWith(path_.round->candidates.empty() ? "nothing more pays" : "no suggested addition improved the fit");
   }
 
   /// An addition that the data push to the end of what it may be is not what they show, and stands back behind others;
@@ -219,6 +219,8 @@ class Grower {
     } catch (const std::exception& failure) {
       EndWith("what could be added cannot be looked for");
       hooks_.work.Note(path_.end + ": " + failure.what());
+      // Not for good: the same command looks again.
+      return;
     }
     WritePath();
   }
@@ -312,9 +314,10 @@ class Grower {
   /// The last fit again, from the evaluations that it made, with a search: the steps went on from one point.
   void Finish() {
     const GrowthStep& last = path_.steps[path_.LastKept()];
+    // One that is there has this search, as far as it came, or another's evaluations.
     std::error_code failure;
-    fs::copy_file(request_.output / last.folder / "fit" / kTrace, request_.output / kTrace,
-                  fs::copy_options::overwrite_existing, failure);
+    if (!fs::exists(request_.output / kTrace))
+      fs::copy_file(request_.output / last.folder / "fit" / kTrace, request_.output / kTrace, failure);
     FitRequest request = RequestOf(last);
     request.growth = GrowthSummary{
         .added = path_.Added(), .end = path_.end, .is_interrupted = grown_.is_interrupted, .state = path_.state};
@@ -328,6 +331,8 @@ class Grower {
       grown_.fit = FitStudy(searched, hooks_);
       if (grown_.fit.is_written || (hooks_.work.IsStopped() && HasThisResult())) return;
     }
+    // Stopped before: what is written says so, and is no whole result.
+    grown_.is_interrupted = request.growth->is_interrupted = hooks_.work.IsStopped() || grown_.is_interrupted;
     grown_.fit = FitStudy(AlreadyFitted(request), {.work = {.note = hooks_.work.note, .find = hooks_.work.find}});
   }
 

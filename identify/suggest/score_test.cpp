@@ -55,20 +55,6 @@ double BestAmount(const RobustLoss& loss, const AmountRange& range, const std::v
   return best;
 }
 
-/// Whether amounts that were evaluated change what is left, though none between or beyond them would pay.
-bool IsHopeless(const RobustLoss& loss, const std::vector<Tried>& tried, double best_amount,
-                const std::function<bool(double cost)>& may_pay) {
-  // Of residuals in standard deviations: a kink that does not act yet changes nothing.
-  constexpr double kEffect = 0.3;
-  constexpr double kMargin = 4;
-  const auto none = std::find_if(tried.begin(), tried.end(), [](const Tried& one) { return one.amount == 0; });
-  for (const Tried& one : tried)
-    if (one.amount != 0 && (one.remainder - none->remainder).norm() < kEffect) return false;
-  const double before = loss.Cost(none->remainder);
-  const double fall = before - loss.Cost(Interpolated(tried, best_amount));
-  return !may_pay(before - kMargin * fall);
-}
-
 }  // namespace
 
 FollowedCost::FollowedCost(FittedPoint point)
@@ -113,8 +99,8 @@ Followed FollowedCost::Of(const Eigen::VectorXd& residuals) const {
   return followed;
 }
 
-std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
-                                    const std::function<bool(double cost)>& may_pay) {
+std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range,
+                                    const ResidualsOf& residuals) {
   constexpr int kMost = 4;
   constexpr double kSame = 0.15;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(fitted.point().jacobian.cols());
@@ -140,7 +126,6 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
       return std::abs(one.amount - amount) <= kSame * std::max(std::abs(one.amount), std::abs(amount));
     });
     if (is_known || std::abs(amount) < 1e-9 * std::abs(range.first)) break;
-    if (IsHopeless(fitted.point().loss, tried, amount, may_pay)) break;
   }
   if (tried.size() < 2) return std::nullopt;
   Tried* best = nullptr;

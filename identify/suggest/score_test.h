@@ -78,12 +78,9 @@ struct AmountRange {
 
 /// The amount at which the cost, variables following, is least: residuals are linear in the amount between 0 and those
 /// that were evaluated, of which there are four at most; the best of these is the answer. A score test takes the first
-/// of them to be small (Rao 1948); laws with kinks, which begin to act at some amount, need the others. They are spared
-/// where the first shows an effect, but four times the fall of the cost that it promises would not pay: `may_pay` says
-/// so of a cost. Nothing where none can be evaluated.
-std::optional<ScoreTest> TestAmount(
-    const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
-    const std::function<bool(double cost)>& may_pay = [](double) { return true; });
+/// of them to be small (Rao 1948); laws with kinks, which begin to act at some amount, need the others. Nothing where
+/// none can be evaluated.
+std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals);
 
 /// Goes on from there: steps of the amount and the variables together with the derivatives that are known, each
 /// evaluated truly and kept where the cost falls. Where it never does, the test says that nothing is left or moved.

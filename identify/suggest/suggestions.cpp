@@ -166,13 +166,7 @@ class Suggester {
     ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
       Trial& trial = trials[i];
       if (!trial.study || hooks_.IsStopped()) return;
-      // With all residuals, as if they were independent: nothing pays more.
-      const auto may_pay = [&](double cost) {
-        const auto count = static_cast<double>(result_.residuals);
-        return cost <= 0 ||
-               CriterionChange(base_.cost, cost, result_.residuals, count, trial.addition.count, result_.tried) < 0;
-      };
-      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial), may_pay);
+      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial));
       if (trial.test) evaluations += trial.test->evaluations;
       else trial.failure = trial.study->failure();
       const std::size_t now = ++done;

@@ -19,7 +19,7 @@ inline constexpr const char* kNoiseRemedy =
 /// differences of a third of the `step`. Where residuals are smooth both say the same, and the shorter step leaves less
 /// of the curvature; where they jump between neighbouring values the model knows nothing of the jumps, and the shorter
 /// step makes three times as much of them. Nothing where a column has no point that can be evaluated. Its evaluations
-/// are counted.
+/// are counted. Of the model's own Jacobian it is that one again: DerivativesHold() is what finds jumps there.
 std::optional<Eigen::MatrixXd> JacobianAgain(Archive& archive, const FitVariables& variables, const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& residuals, double step);
 

@@ -25,7 +25,7 @@
 namespace fourpost {
 namespace {
 
-enum class Dampers { kOfItsFile, kHydraulic };
+enum class Dampers { kOfItsFile, kHydraulic, kWithoutFriction };
 
 /// About as stiff as the Land Rover's.
 HydraulicDescription Oil() {
@@ -51,6 +51,8 @@ Vehicle Read(const std::string& name, Dampers dampers = Dampers::kOfItsFile) {
   if (!vehicle) throw FaultyInput(diagnostics);
   if (dampers == Dampers::kHydraulic)
     for (Damper& damper : vehicle->dampers) damper.hydraulic = Oil();
+  if (dampers == Dampers::kWithoutFriction)
+    for (Damper& damper : vehicle->dampers) damper.law.friction.reset();
   return std::move(vehicle).value();
 }
 
@@ -90,13 +92,19 @@ void ByLinearSolves(benchmark::State& state, const std::string& name) {
 }
 
 /// With what a change of parameters costs.
-void ByHarmonicBalance(benchmark::State& state, const std::string& name, Dampers dampers = Dampers::kOfItsFile) {
+void ByHarmonicBalance(benchmark::State& state, const std::string& name, Dampers dampers = Dampers::kOfItsFile,
+                       const HarmonicBalanceOptions& options = {}) {
   const Vehicle vehicle = Read(name, dampers);
   const CondensedVehicle condensed(vehicle);
   const std::vector<double> values = vehicle.ParameterValues();
   const Excitation excitation = Heave(vehicle.posts.size());
   for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(SolveHarmonicBalance(condensed.At(values), vehicle.sensors, excitation));
+    benchmark::DoNotOptimize(SolveHarmonicBalance(condensed.At(values), vehicle.sensors, excitation, options));
+}
+
+/// As a fit does.
+void ByFewHarmonics(benchmark::State& state, const std::string& name, Dampers dampers = Dampers::kOfItsFile) {
+  ByHarmonicBalance(state, name, dampers, {.few_harmonics = true, .tolerance = 1e-6});
 }
 
 /// The same with its derivatives by all parameters of the file.
@@ -232,6 +240,11 @@ BENCHMARK_CAPTURE(ByMarch, model2_hydraulic, "landrover110_linkage", Dampers::kH
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 BENCHMARK_CAPTURE(ByHarmonicBalance, friction, "independent_roadster")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByHarmonicBalance, without_friction, "independent_roadster", Dampers::kWithoutFriction)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByFewHarmonics, friction, "independent_roadster")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByFewHarmonics, without_friction, "independent_roadster", Dampers::kWithoutFriction)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(Frequencies, model2, "landrover110_linkage")
     ->Arg(20)
     ->Arg(40)

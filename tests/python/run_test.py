@@ -35,7 +35,8 @@ def test_a_run_of_another_major_version_is_said(run, tmp_path):
 
 def test_the_notebook_of_how_to_runs(tmp_path, monkeypatch):
     text = (SOURCE / "docs/how_to.md").read_text()
-    plan, notebook = (re.search(rf"^```{language}\n(.*?)^```", text, re.S | re.M)[1] for language in ("yaml", "python"))
+    notebook = re.search(r"^```python\n(.*?)^```", text, re.S | re.M)[1]
+    plan = next(block for block in re.findall(r"^```yaml\n(.*?)^```", text, re.S | re.M) if "\nfits:" in block)
     monkeypatch.chdir(tmp_path)
     (tmp_path / "plan.yaml").write_text(plan)
     program("init", "car")

@@ -14,7 +14,8 @@ struct HarmonicBalanceOptions {
   bool few_harmonics = false;
   /// Stops if the error needs more harmonics than these. Friction needs enough to resolve its transition.
   int most_harmonics = 257;
-  /// Largest change of any harmonic of any element's rate in the last iteration, relative to the largest of them.
+  /// Largest change of any harmonic of any element's rate in the last iteration, relative to the largest of them: of
+  /// the plain iteration or of Newton's method, also where that is approximate.
   double tolerance = 2e-5;
   /// At each number of harmonics.
   int max_iterations = 60;

@@ -129,7 +129,8 @@ bool LinearisedCycle::TrySolve(const Eigen::MatrixXcd& given) {
 bool LinearisedCycle::SolveWithFew(const Eigen::MatrixXcd& start) {
   if (!has_friction_) return SolveLevel(kFewLevel, start, options_.tolerance);
   constexpr double kRough = 0.05;
-  std::size_t level = std::max(kFewLevelWithFriction, level_ > 0 ? level_ - 1 : 0);
+  // Whatever the last frequency needed: a change of samples would look like a slope.
+  std::size_t level = kFewLevelWithFriction;
   if (!SolveLevel(level, start, kRough)) return false;
   while (true) {
     while (!cycle().ResolvesSteps()) {

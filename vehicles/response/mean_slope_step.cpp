@@ -1,5 +1,6 @@
 #include "vehicles/response/mean_slope_step.h"
 
+#include <cmath>
 #include <complex>
 #include <variant>
 
@@ -9,33 +10,42 @@
 namespace fourpost {
 
 MeanSlopeStep::MeanSlopeStep(const PortCycle& cycle) {
-  const auto ports = static_cast<Eigen::Index>(cycle.ports().size());
-  Eigen::VectorXd by_extension = Eigen::VectorXd::Zero(ports);
-  Eigen::VectorXd by_rate = Eigen::VectorXd::Zero(ports);
+  std::vector<double> by_extension;
+  std::vector<double> by_rate;
   Eigen::MatrixXd slopes(cycle.samples(), 2);
+  const auto ports = static_cast<Eigen::Index>(cycle.ports().size());
   for (Eigen::Index j = 0; j < ports; ++j) {
     const PortLaw& law = cycle.ports()[static_cast<std::size_t>(j)].law;
     if (std::holds_alternative<HydraulicRemainder>(law)) continue;
+    if (!UsesExtension(law) && !std::isfinite(StepOfRate(law))) continue;
     RemainderSlopes(law, Samples(cycle.extension_time(), j), Samples(cycle.rate_time(), j), Room(slopes, 0),
                     Room(slopes, 1));
-    by_extension[j] = slopes.col(0).mean();
-    by_rate[j] = slopes.col(1).mean();
+    if (slopes.isZero(0)) continue;
+    steep_.push_back(j);
+    by_extension.push_back(slopes.col(0).mean());
+    by_rate.push_back(slopes.col(1).mean());
   }
-  for (Eigen::Index h = 0; h <= cycle.harmonics(); ++h) {
-    const Eigen::MatrixXcd receptance = cycle.receptance().row(h).reshaped(ports, ports);
-    Eigen::VectorXcd slope(ports);
-    slope.real() = by_extension;
-    slope.imag() = static_cast<double>(h) * cycle.omega() * by_rate;
-    const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(ports, ports);
-    const Eigen::MatrixXcd matrix = unit - receptance * slope.asDiagonal();
-    inverses_.push_back(Solved(matrix, unit));
+  const auto steep = static_cast<Eigen::Index>(steep_.size());
+  const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(steep, steep);
+  Eigen::VectorXcd slope(steep);
+  slope.real() = Eigen::Map<const Eigen::VectorXd>(by_extension.data(), steep);
+  for (Eigen::Index h = 0; h <= cycle.harmonics() && steep > 0; ++h) {
+    slope.imag() = static_cast<double>(h) * cycle.omega() * Eigen::Map<const Eigen::VectorXd>(by_rate.data(), steep);
+    Eigen::MatrixXcd effects(ports, steep);
+    for (Eigen::Index k = 0; k < steep; ++k)
+      effects.col(k) = slope[k] * cycle.receptance().row(h).segment(ports * steep_[static_cast<std::size_t>(k)], ports);
+    const Eigen::MatrixXcd matrix = unit - effects(steep_, Eigen::all);
+    answers_.push_back(effects.lazyProduct(Solved(matrix, unit)));
   }
 }
 
 Eigen::MatrixXcd MeanSlopeStep::Of(const Eigen::MatrixXcd& step) const {
-  Eigen::MatrixXcd answer(step.rows(), step.cols());
-  for (Eigen::Index h = 0; h < step.rows(); ++h)
-    answer.row(h) = (inverses_[static_cast<std::size_t>(h)].lazyProduct(step.row(h).transpose())).transpose();
+  Eigen::MatrixXcd answer = step;
+  for (std::size_t h = 0; h < answers_.size(); ++h) {
+    const auto row = static_cast<Eigen::Index>(h);
+    const Eigen::VectorXcd steep = step.row(row)(steep_);
+    answer.row(row) += answers_[h].lazyProduct(steep).transpose();
+  }
   return answer;
 }
 

@@ -12,7 +12,8 @@ class PortCycle;
 /// extensions and the means a by extension, b by rate,
 ///   (I - G (a + i w b)) step = step of the plain iteration
 /// at each harmonic w alone. Cheap for any number of harmonics; what it leaves out, the coupling of harmonics, Anderson
-/// acceleration finds within few iterations. The means of laws with memory count as zero.
+/// acceleration finds within few iterations. Ports with friction, knees, stops or lift take part: of others, whose
+/// slopes scatter about the linear part, the means are small.
 class MeanSlopeStep {
  public:
   /// With the slopes at the cycle's current iterate.
@@ -22,8 +23,10 @@ class MeanSlopeStep {
   Eigen::MatrixXcd Of(const Eigen::MatrixXcd& step) const;
 
  private:
-  /// Per harmonic: (I - G (a + i w b))^-1.
-  std::vector<Eigen::MatrixXcd> inverses_;
+  /// Ports that take part.
+  std::vector<Eigen::Index> steep_;
+  /// Per harmonic, ports x steep: what is added per step of these.
+  std::vector<Eigen::MatrixXcd> answers_;
 };
 
 }  // namespace fourpost

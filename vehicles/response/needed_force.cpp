@@ -28,7 +28,7 @@ NeededForce::NeededForce(const CondensedModel& model, const std::vector<double>&
 
 int NeededForce::SamplesFor(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) const {
   constexpr int kSmooth = 4 * kHarmonics + 4;
-  constexpr int kMost = 24 * kSmooth;
+  constexpr int kMost = 16 * kSmooth;
   const double omega = 2 * std::numbers::pi * frequency_Hz;
   const Eigen::MatrixXcd driven = Driven(WithSeries(omega, motion), posts);
   const Eigen::VectorXd orders = Eigen::VectorXd::LinSpaced(driven.rows(), 0, static_cast<double>(driven.rows() - 1));

@@ -68,7 +68,7 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
 bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
                       int max_iterations, const Deadline& deadline) {
   // For many motions at one frequency.
-  if (omega != omega_) receptance_.Ports(omega, harmonics(), ports_receptance_);
+  if (omega != std::exchange(omega_, 0)) receptance_.Ports(omega, harmonics(), ports_receptance_);
   omega_ = omega;
   Resize(driven, harmonics(), driven_);
   // The start may be this cycle's own solution.
@@ -86,7 +86,11 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
     double change = FindStep() / SizeOf(extension_);
     if (!std::isfinite(change)) return false;
     if (IsEnough(change, earlier, method, tolerance)) return true;
-    if (method == Method::kAnderson && IsEnough(change = Precondition(), earlier, method, tolerance)) return true;
+    if (method == Method::kAnderson) {
+      change = Precondition();
+      if (!std::isfinite(change)) return false;
+      if (IsEnough(change, earlier, method, tolerance)) return true;
+    }
     if (iterations_ == max_iterations) return false;
     ++iterations_;
     deadline.Check();
@@ -105,7 +109,7 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
   }
 }
 
-/// The plain iteration may leave the motion that it starts from where a knee, a stop or a lift takes part, and hardly
+/// The plain iteration may leave the motion that it starts from where a knee, a stop or a lift takes part, and barely
 /// moves where friction does.
 PortCycle::Method PortCycle::FirstMethod() const {
   if (IsTouched()) return Newton();

@@ -228,15 +228,15 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
                                    ModelledResponses(start, vehicle.sensors, runs),
                                    BandsOf(subject, runs, modelled, fit.Spread(), discrepancies, fit.options.threads))},
       {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
-  if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, results);
+  if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, fit.options.threads, results);
   return results;
 }
 
-void FourPost::AddMissingForce(const Subject& subject, const std::vector<double>& values,
+void FourPost::AddMissingForce(const Subject& subject, const std::vector<double>& values, int threads,
                                ExperimentResults& results) const {
   AuditedVehicle audited(subject);
   AddRecordings(audited);
-  const ForceRecord record = LackingForce(subject, values, RunsInBand(), audited.audited());
+  const ForceRecord record = LackingForce(subject, values, RunsInBand(), audited.audited(), threads);
   const std::vector<ForceCurve> curves = ForceCurves(record);
   results.json["missing_force"] = MissingForceJson(record, ExplainForce(record));
   results.text += MissingForceText(results.json["missing_force"]);

@@ -46,7 +46,8 @@ class FourPost : public Experiment {
   std::vector<MeasuredRun> RunsInBand() const;
 
   /// The force that the fitted vehicle lacks in the measured motion, as `missing_force` and files of its folder.
-  void AddMissingForce(const Subject& subject, const std::vector<double>& values, ExperimentResults& results) const;
+  void AddMissingForce(const Subject& subject, const std::vector<double>& values, int threads,
+                       ExperimentResults& results) const;
 
   FourPostPlan plan;
   /// After Load().

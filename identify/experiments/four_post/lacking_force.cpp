@@ -1,5 +1,6 @@
 #include "identify/experiments/four_post/lacking_force.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <memory>
@@ -182,6 +183,8 @@ class RunForce {
     sample.posts = amplitude * audited_.runs[r_].posts.col(RowOf(f));
     sample.overtones = Overtones(sample.frequency_Hz, amplitude);
     samples_ = needed_.SamplesFor(sample.frequency_Hz, amplitude, Harmonics(sample, sample.motion));
+    if (modelled_.size() > 0)
+      samples_ = std::max(samples_, needed_.SamplesFor(sample.frequency_Hz, amplitude, Harmonics(sample, modelled_)));
     const Eigen::MatrixXd weighed = sight.sd.cwiseInverse().asDiagonal() * sight.rows / amplitude;
     sample.information = weighed.transpose() * weighed;
     const std::optional<Eigen::VectorXd> force = Force(needed_, sample, sample.motion);
@@ -330,7 +333,7 @@ std::vector<std::string> NotMeasured(const ForceRecord& record, std::size_t run)
 }  // namespace
 
 ForceRecord LackingForce(const Subject& subject, const std::vector<double>& values,
-                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited) {
+                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited, int threads) {
   const CondensedVehicle& vehicle = *subject.Condensed();
   const CondensedModel model = vehicle.At(values);
   ForceRecord record;
@@ -340,7 +343,7 @@ ForceRecord LackingForce(const Subject& subject, const std::vector<double>& valu
   const ParameterDoubts doubts = DoubtsOf(subject, values);
   const std::vector<FaultyRecords> faulty = RigDoubts(audited);
   std::vector<std::vector<ForceSample>> of_run(runs.size());
-  ForEachOnIdleThreads(runs.size(), [&](std::size_t r) {
+  ForEachInParallel(runs.size(), threads, [&](std::size_t r) {
     RunForce force(model, doubts, faulty, audited, runs[r], r);
     for (std::size_t f = 0; f < runs[r].excitation.frequency_Hz.size(); ++f)
       if (std::optional<ForceSample> sample = force.At(f)) of_run[r].push_back(*std::move(sample));

@@ -12,8 +12,9 @@ namespace fourpost {
 /// The force that the vehicle, at these values of its parameters, lacks in the motion that was measured. The motion
 /// follows from the sensors that see motion alone, by their places, each weighed by its noise (see AuditEquations);
 /// harmonics beyond the first are those of the model. Frequencies at which an element has no periodic force are left
-/// out. `audited`: these runs, as FourPost::AddRecordings makes them.
+/// out. `audited`: these runs, as FourPost::AddRecordings makes them. The same for
+/// any number of threads.
 ForceRecord LackingForce(const Subject& subject, const std::vector<double>& values,
-                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited);
+                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited, int threads);
 
 }  // namespace fourpost

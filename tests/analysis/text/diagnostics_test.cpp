@@ -80,6 +80,24 @@ TEST(Diagnostics, OfOneCauseAreOneThatListsWhatItIsOf) {
   EXPECT_EQ(diagnostics.items().size(), 6);
 }
 
+const Finding kSwapped{"test-swapped", Severity::kWarning, "'{}' of '{}' is like '{}'"};
+
+TEST(Diagnostics, OfOneCauseButAnotherRemedyStandAlone) {
+  Diagnostics diagnostics;
+  diagnostics.Report(kSwapped, {"a.yaml"}, {"x", "run", "y"});
+  diagnostics.Report(kSwapped, {"a.yaml"}, {"y", "run", "x"});
+  diagnostics.Report(kSwapped, {"a.yaml"}, {"z", "run", "x"});
+  EXPECT_EQ(diagnostics.Format(),
+            "a.yaml: warning: 'x' of 'run' is like 'y' [test-swapped]\n"
+            "a.yaml: warning: 'y' of 'run' is like 'x'; likewise 'z' [test-swapped]");
+}
+
+TEST(Diagnostics, OfManyChannelsAreCounted) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 40; ++i) diagnostics.Report(kLost, {"a.csv", 1}, {"x" + std::to_string(i)});
+  EXPECT_THAT(diagnostics.Format(), EndsWith("'x23', 'x24' and 15 more [test-lost]"));
+}
+
 TEST(Diagnostics, ErrorsKeepTheirLines) {
   Diagnostics diagnostics;
   diagnostics.Report(kLost, {"a.csv", 4}, {"x"});

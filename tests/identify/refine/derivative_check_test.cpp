@@ -29,7 +29,8 @@ class DerivativeCheck : public testing::Test {
   bool Holds(const Eigen::Vector3d& values) {
     Archive archive({lattice_, Decay});
     const FitVariables variables(lattice_);
-    const bool holds = DerivativesHold(archive, variables, variables.FromValues(values), jacobian_, kStep);
+    const bool holds =
+        DerivativesHold(archive, variables, variables.FromValues(values), Decay(values).residuals, jacobian_, kStep);
     paid_ = archive.counts().paid;
     return holds;
   }
@@ -41,9 +42,9 @@ class DerivativeCheck : public testing::Test {
   std::int64_t paid_ = 0;
 };
 
-TEST_F(DerivativeCheck, TakesTwoEvaluations) {
+TEST_F(DerivativeCheck, TakesFourEvaluations) {
   EXPECT_TRUE(Holds(values_));
-  EXPECT_EQ(paid_, 2);
+  EXPECT_EQ(paid_, 4);
 }
 
 // Of three columns of like norms each has a third or more of the change.
@@ -67,11 +68,18 @@ TEST_F(DerivativeCheck, LeavesSmallSlopesToDifferences) {
   EXPECT_EQ(paid_, 0);
 }
 
+// A variable at a bound takes no part. Next to one it cannot be moved, and where none can, nothing is confirmed.
 TEST_F(DerivativeCheck, StaysWithinTheBounds) {
-  EXPECT_TRUE(Holds({0.6, 2, 0.4 * (1 + 1e-9)}));
-  const Eigen::Vector3d at_bound(0.6, 2, 0.1);
-  for (int i = 0; i < 20; ++i) jacobian_(i, 2) = 0.1;
-  EXPECT_TRUE(Holds(at_bound));
+  const auto holds_at = [&](const Eigen::Vector3d& values) {
+    for (int i = 0; i < 20; ++i) {
+      const double decay = std::exp(-values[1] * 0.1 * i);
+      jacobian_.row(i) << values[0] * decay, -values[1] * 0.1 * i * values[0] * decay, values[2];
+    }
+    return Holds(values);
+  };
+  EXPECT_TRUE(holds_at({0.6, 2, 0.1}));
+  EXPECT_FALSE(holds_at({0.6, 2, 0.1 * (1 + 0.1 * kStep)}));
+  EXPECT_FALSE(holds_at({0.1, 5, 1}));
 }
 
 }  // namespace

@@ -106,26 +106,6 @@ TEST(ScoreTest, FindsWhatBeginsToActAtSomeAmount) {
   EXPECT_NEAR(test->amount, 0.8, 0.1);
 }
 
-// One evaluation shows that it does something, and that this would not pay.
-TEST(ScoreTest, EndsAtOnceWhereNothingPays) {
-  const VectorXd column = White(400, 7);
-  const AmountRange range{.first = 0.1, .least = -10, .greatest = 10};
-  const auto evaluations = [&](double missing, double start) {
-    const FittedPoint point = Optimum(400, 5, missing * column, 1);
-    const double before = point.residuals.squaredNorm();
-    const auto residuals = [&](double s, const VectorXd& step) {
-      return std::optional<VectorXd>(point.residuals + std::max(0.0, s - start) * column + point.jacobian * step);
-    };
-    // 12 of a sum of squares of some 400: more than what noise lets one of 400 columns gain.
-    const auto may_pay = [&](double cost) { return cost < before - 12; };
-    return TestAmount(FollowedCost(point), range, residuals, may_pay)->evaluations;
-  };
-  EXPECT_EQ(evaluations(0, 0), 1);
-  EXPECT_GT(evaluations(-0.6, 0), 1);
-  // Does not act yet at the first amount.
-  EXPECT_GT(evaluations(0, 0.3), 1);
-}
-
 // 500 sets of white noise, 30 columns that have nothing to do with it each: at most one set in 20 has one that seems
 // worth adding.
 TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
