@@ -74,6 +74,17 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
   // The start may be this cycle's own solution.
   if (&start != &extension_) Resize(start, harmonics(), extension_);
   iterations_ = 0;
+  means_help_ = has_friction_;
+  const Eigen::MatrixXcd from = extension_;
+  if (Iterate(tolerance, max_iterations, deadline)) return true;
+  if (!preconditioner_) return false;
+  // Where friction sticks for most of a cycle its mean slope says little.
+  means_help_ = false;
+  extension_ = from;
+  return Iterate(tolerance, iterations_ + max_iterations, deadline);
+}
+
+bool PortCycle::Iterate(double tolerance, int most, const Deadline& deadline) {
   FindRemainders();
   if (ports_.empty()) return true;
   std::optional<AndersonAcceleration> acceleration;
@@ -86,15 +97,16 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
     double change = FindStep() / SizeOf(extension_);
     if (!std::isfinite(change)) return false;
     if (IsEnough(change, earlier, method, tolerance)) return true;
-    if (method == Method::kAnderson) {
+    if (method == Method::kAnderson && IsPreconditioned()) {
       change = Precondition();
       if (!std::isfinite(change)) return false;
       if (IsEnough(change, earlier, method, tolerance)) return true;
     }
-    if (iterations_ == max_iterations) return false;
+    if (iterations_ == most) return false;
     ++iterations_;
     deadline.Check();
-    if (method == Method::kPlain && (method = Choose(change, before, earlier, tolerance)) == Method::kAnderson)
+    if (method == Method::kPlain && (method = Choose(change, before, earlier, tolerance)) == Method::kAnderson &&
+        IsPreconditioned())
       Precondition();
     earlier = std::exchange(before, change);
     switch (method) {
@@ -113,7 +125,7 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
 /// moves where friction does.
 PortCycle::Method PortCycle::FirstMethod() const {
   if (IsTouched()) return Newton();
-  return HasSteepFriction() ? Method::kAnderson : Method::kPlain;
+  return means_help_ && HasSteepFriction() && Newton() == Method::kAnderson ? Method::kAnderson : Method::kPlain;
 }
 
 /// Whether the plain iteration's steps answer friction with more than half of its change.

@@ -21,8 +21,8 @@ namespace fourpost {
 ///
 /// Fixed-point iteration is used while it converges fast, as for dashpots whose rates differ little. Otherwise, for
 /// knees, stops, lift-off and hydraulic dampers, Newton's method with the slopes of the nonlinear forces. If the number
-/// of harmonics makes its matrix too costly, and for friction, Anderson acceleration of steps with the means of the
-/// slopes (MeanSlopeStep), or with a hydraulic damper of Newton's method for the lowest harmonics.
+/// of harmonics makes its matrix too costly, Anderson acceleration: with friction of steps with the means of the slopes
+/// (MeanSlopeStep), and where that fails without, with a hydraulic damper of Newton's method for the lowest harmonics.
 class PortCycle {
  public:
   /// Both must outlive this object.
@@ -74,6 +74,8 @@ class PortCycle {
   int iterations() const { return iterations_; }
 
  private:
+  bool Iterate(double tolerance, int most, const Deadline& deadline);
+  bool IsPreconditioned() const { return has_memory_ || means_help_; }
   void FindRemainders();
   double FindStep();
   double SizeOf(const Eigen::MatrixXcd& extension) const;
@@ -99,6 +101,8 @@ class PortCycle {
   bool uses_extension_ = false;
   bool has_memory_ = false;
   bool has_friction_ = false;
+  /// Whether MeanSlopeStep takes part.
+  bool means_help_ = false;
   double omega_ = 0;
   int iterations_ = 0;
   Eigen::MatrixXcd driven_;

@@ -343,7 +343,7 @@ ForceRecord LackingForce(const Subject& subject, const std::vector<double>& valu
   const ParameterDoubts doubts = DoubtsOf(subject, values);
   const std::vector<FaultyRecords> faulty = RigDoubts(audited);
   std::vector<std::vector<ForceSample>> of_run(runs.size());
-  ForEachInParallel(runs.size(), threads, [&](std::size_t r) {
+  ForEachInParallel(runs.size(), ThreadCount(threads), [&](std::size_t r) {
     RunForce force(model, doubts, faulty, audited, runs[r], r);
     for (std::size_t f = 0; f < runs[r].excitation.frequency_Hz.size(); ++f)
       if (std::optional<ForceSample> sample = force.At(f)) of_run[r].push_back(*std::move(sample));
