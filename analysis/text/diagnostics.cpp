@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/text/enumeration.h"
 #include "analysis/text/shortened.h"
 
 namespace fourpost {
@@ -48,14 +49,6 @@ bool HasName(const Diagnostic& item) {
   return std::find(names.begin(), names.end(), true) != names.end();
 }
 
-/// "a, b and c"
-std::string Joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
-}
-
 /// Of one of a group: "'b' of 'run2' (words that differ from those of the first, line 4)".
 std::string LikewiseText(const Diagnostic& item, const Diagnostic& first, const std::vector<bool>& differ) {
   const std::vector<bool> names = AreNames(item);
@@ -88,7 +81,7 @@ std::string MessageOfAll(const std::vector<const Diagnostic*>& group) {
     if (others.size() < kMostNamed) others.push_back(std::move(text));
   }
   if (known.size() > kMostNamed) others.push_back(std::to_string(known.size() - kMostNamed) + " more");
-  return first.message + (others.empty() ? "" : "; likewise " + Joined(others));
+  return first.message + (others.empty() ? "" : "; likewise " + Enumeration(others));
 }
 
 /// Names beyond what a finding is of, "'a' of 'run'": those of its remedy.

@@ -1,5 +1,6 @@
 #include "analysis/text/known_names.h"
 
+#include "analysis/text/enumeration.h"
 #include "analysis/text/nearest.h"
 
 namespace fourpost {
@@ -8,10 +9,7 @@ std::string KnownNames(std::string_view name, std::span<const std::string> known
   constexpr std::size_t kFew = 12;
   const std::string near = DidYouMean(name, known);
   if (!near.empty() || known.empty() || known.size() > kFew) return near;
-  std::string all;
-  for (std::size_t i = 0; i < known.size(); ++i)
-    all += (i == 0 ? "" : i + 1 == known.size() ? " and " : ", ") + known[i];
-  return "; it has " + all;
+  return "; it has " + Enumeration(known);
 }
 
 }  // namespace fourpost

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "analysis/text/enumeration.h"
 #include "analysis/text/text_table.h"
 
 namespace fourpost {
@@ -15,18 +16,11 @@ std::string Counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-std::string Joined(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-  return text;
-}
-
 std::string ObjectiveWords(const ChoiceAnswer& answer) {
   std::vector<std::string> names;
   for (const Objective& objective : answer.request.settings.objectives)
     names.push_back(answer.MetricOf(objective).name);
-  return Joined(names);
+  return Enumeration(names);
 }
 
 }  // namespace
@@ -48,7 +42,7 @@ std::string ScopeWords(const ChoiceAnswer& answer) {
   const Choice& choice = answer.choice;
   std::vector<std::string> knobs;
   for (const Knob& knob : answer.knobs()) knobs.push_back(knob.name);
-  std::string text = std::to_string(choice.lattice) + " settings of " + Joined(knobs);
+  std::string text = std::to_string(choice.lattice) + " settings of " + Enumeration(knobs);
   if (choice.was_searched) text += ", " + std::to_string(choice.evaluated) + " of them searched by dvHDE";
   if (static_cast<std::int64_t>(choice.rows.size()) < choice.evaluated)
     text += ", the best " + std::to_string(choice.rows.size()) + " in all possible cars";
@@ -94,7 +88,7 @@ std::string ClickWords(const ChoiceAnswer& answer) {
     if (std::isnan(click.loss)) continue;
     parts.push_back(name + ' ' + SharePercent(click.loss) + (click.leaves_limits ? " and leaves the limits" : ""));
   }
-  return parts.empty() ? "" : "One click beside it costs at most: " + Joined(parts) + ".";
+  return parts.empty() ? "" : "One click beside it costs at most: " + Enumeration(parts) + ".";
 }
 
 std::string DecidingWords(const ChoiceAnswer& answer) {
@@ -110,7 +104,7 @@ std::string DecidingWords(const ChoiceAnswer& answer) {
         (one.gain > 0 ? "; known, it would lower the expected regret by " + SharePercent(one.gain) : "") + ")");
   }
   return "Doubt of these decides between the best setting and its likeliest rival, " + answer.NameOf(choice.rival) +
-         ": " + Joined(parts) + ".";
+         ": " + Enumeration(parts) + ".";
 }
 
 std::string RunWords(const ChoiceAnswer& answer) {

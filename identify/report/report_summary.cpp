@@ -7,6 +7,7 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
+#include "analysis/text/enumeration.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/missing_additions.h"
 #include "identify/report/report_tiles.h"
@@ -44,14 +45,6 @@ std::vector<std::string> AsCode(const std::vector<std::string>& names) {
   return codes;
 }
 
-/// "a, b and c" of html.
-std::string Listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-  return text;
-}
-
 std::vector<std::string> Named(const std::vector<JudgedChannel>& channels, Follows follows, bool with_numbers) {
   std::vector<std::string> names;
   for (const JudgedChannel& channel : channels)
@@ -83,7 +76,7 @@ std::string DoesNotExplain(const Json& result) {
   for (const Json& reason : reasons)
     if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(html::Escaped(text));
   if (listed.empty()) return "";
-  return "<strong>The model does not explain the data:</strong> " + Listed(listed) + ". ";
+  return "<strong>The model does not explain the data:</strong> " + Enumeration(listed) + ". ";
 }
 
 /// What the check of the recordings would have refused; empty where nothing was accepted.
@@ -91,7 +84,7 @@ std::string WhatWasAccepted(const Json& result) {
   std::vector<std::string> listed;
   for (const Json& one : ListAt(result.value("verdict", Json()), "accepted"))
     if (const std::string text = FindingText(one); !text.empty()) listed.push_back(html::Escaped(text));
-  return listed.empty() ? "" : "<strong>Implausible values were accepted:</strong> " + Listed(listed) + ". ";
+  return listed.empty() ? "" : "<strong>Implausible values were accepted:</strong> " + Enumeration(listed) + ". ";
 }
 
 /// Of a run that was cut short what it had done by then.
@@ -191,15 +184,15 @@ std::string WhatFits(const std::vector<JudgedChannel>& channels) {
   if (channels.empty()) return "";
   const std::string within = "within " + ShownLimits(channels);
   if (well.empty()) return "No channel is " + within + ".";
-  return Listed(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
+  return Enumeration(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
 }
 
 std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::string& worst) {
   const std::vector<std::string> roughly = Named(channels, Follows::kRoughly, true);
   const std::vector<std::string> far = Named(channels, Follows::kNot, true);
   std::string text;
-  if (!far.empty()) text += "Poor: " + Listed(far) + ". ";
-  if (!roughly.empty()) text += "Fair: " + Listed(roughly) + ". ";
+  if (!far.empty()) text += "Poor: " + Enumeration(far) + ". ";
+  if (!roughly.empty()) text += "Fair: " + Enumeration(roughly) + ". ";
   if (!text.empty()) text += worst;
   return text;
 }
@@ -211,7 +204,7 @@ std::string Sentences(const std::string& first, const std::string& second) {
 /// Of recordings that were not fitted.
 std::string WhatItMisses(const std::vector<JudgedChannel>& unseen) {
   const std::vector<std::string> far = Named(unseen, Follows::kNot, true);
-  return far.empty() ? "" : "Poor on recordings that were not fitted: " + Listed(far) + ". ";
+  return far.empty() ? "" : "Poor on recordings that were not fitted: " + Enumeration(far) + ". ";
 }
 
 /// Where all fitted channels are within tolerance.
@@ -272,7 +265,7 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
                      " parameters are determined, " + std::to_string(well) + " of them" + limit;
   if (parameters.size() == 1 && known == 1)
     text = "The one parameter is determined" + (well == 1 ? "," + limit : std::string("."));
-  if (!weak.empty()) text += " Weakly determined: " + Listed(weak) + ".";
+  if (!weak.empty()) text += " Weakly determined: " + Enumeration(weak) + ".";
   return text;
 }
 
@@ -294,10 +287,10 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
     if (std::isinf(parameter.sd) || (!parameter.at_bound && parameter.RelativeSd() > kUnknown))
       open.push_back(Code(parameter.name));
   std::string text;
-  if (!open.empty()) text += "Not determined by the data: " + Listed(open) + ". ";
-  if (!bound.empty()) text += "Held by a bound, not by the data: " + Listed(bound) + ". ";
+  if (!open.empty()) text += "Not determined by the data: " + Enumeration(open) + ". ";
+  if (!bound.empty()) text += "Held by a bound, not by the data: " + Enumeration(bound) + ". ";
   if (const std::vector<std::string> noisy = NamesIn(ParameterState::kNoise, parameters); !noisy.empty())
-    text += "The derivative is noise: " + Listed(AsCode(noisy)) + "; " + html::Escaped(kNoiseRemedy) + ". ";
+    text += "The derivative is noise: " + Enumeration(AsCode(noisy)) + "; " + html::Escaped(kNoiseRemedy) + ". ";
   const Json identifiability = result.value("identifiability", Json());
   if (NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters"))
     for (const Json& direction : ListAt(identifiability, "weakest"))
@@ -316,7 +309,7 @@ std::string Ties(const std::vector<ReportedParameter>& parameters) {
     if (std::abs(parameter.correlation) > std::abs(closest)) closest = parameter.correlation;
   }
   if (tied.empty()) return "";
-  return Listed(tied) + (tied.size() == 1 ? " is" : " are") + " strongly correlated with others (" +
+  return Enumeration(tied) + (tied.size() == 1 ? " is" : " are") + " strongly correlated with others (" +
          (tied.size() > 2 ? "up to " : "") + ShownDecimals(closest, 2) +
          "), so the data determine their combinations better than each. Weigh a part, or add a channel that depends on "
          "one alone, such as a force or a static load.";
@@ -357,7 +350,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
         "Fix one parameter of each direction that is not identifiable, give it a prior, or measure a channel that it "
         "affects.");
   if (const std::vector<std::string> bound = AtBounds(parameters); !bound.empty())
-    advice.push_back("Check the bounds of " + Listed(bound) +
+    advice.push_back("Check the bounds of " + Enumeration(bound) +
                      ". If they are guesses, widen them. If they are certain, the model lacks a mechanism that " +
                      (bound.size() == 1 ? "this parameter compensates." : "these parameters compensate."));
   if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);

@@ -349,9 +349,9 @@ class Preparation(ProgramTest):
                 row[column] = min(row[column], most)
         self.save("clipped.csv", clipped)
         self.write("study.yaml", "vehicle: car.urdf\nhistories:\n  - {file: clipped.csv}\n  - {file: good.csv}\n")
-        told = self.run_program("response", "study.yaml", "--engine", "reduced").stderr
-        lines = [line for line in told.splitlines() if line.endswith("[channel-saturated]")]
-        self.assertEqual(len(lines), 1, told)
+        printed = self.run_program("response", "study.yaml", "--engine", "reduced").stderr
+        lines = [line for line in printed.splitlines() if line.endswith("[channel-saturated]")]
+        self.assertEqual(len(lines), 1, printed)
         for name in self.names[2:]:
             self.assertIn(f"'{name}'", lines[0])
 

@@ -175,19 +175,19 @@ class Suggest(ProgramTest):
 
     def test_fit_grows(self):
         self.record(FRICTION)
-        told = self.grow()
+        printed = self.grow()
         self.assertEqual(self.kept(), ["", "friction"])
         self.assertEqual(self.grown("steps/growth.json")["end"], "the stated errors explain the residuals")
         result = self.grown("result.json")
         self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
         self.assertEqual(result["growth"]["added"], ["dry friction beside damper 'damper'"])
         self.assertIs(result["growth"]["interrupted"], False)
-        self.assertRegex(told.stderr, r"(?m)^step 0 of at most 12: the study as it stands$")
-        self.assertRegex(told.stderr, r"(?m)^step 1 of at most 12, addition 1 of \d: dry friction beside damper 'damper'$")
+        self.assertRegex(printed.stderr, r"(?m)^step 0 of at most 12: the study as it stands$")
+        self.assertRegex(printed.stderr, r"(?m)^step 1 of at most 12, addition 1 of \d: dry friction beside damper 'damper'$")
         # Once more: nothing is fitted, and the answer is the same.
         written = self.written()
         again = self.grow()
-        self.assertEqual(again.stdout, told.stdout)
+        self.assertEqual(again.stdout, printed.stdout)
         self.assertEqual(self.written(), written)
         self.assertIn("growth had ended: the stated errors explain the residuals", again.stderr)
         self.assertNotIn("step 1 of", again.stderr)
@@ -218,9 +218,9 @@ class Suggest(ProgramTest):
                            "candidates": [candidate | {"effective_residuals": 50.0, "count": 1, "parameters": []}]}}
         file.write_text(json.dumps(path))
         written = self.written()
-        told = self.grow().stderr
-        self.assertIn("growth goes on after step 0", told)
-        self.assertNotIn("step 1 of", told)
+        printed = self.grow().stderr
+        self.assertIn("growth goes on after step 0", printed)
+        self.assertNotIn("step 1 of", printed)
         self.assertEqual(self.written(), written)
         path = self.grown("steps/growth.json")
         self.assertEqual([step["kept"] for step in path["steps"]], [True, False])
@@ -250,10 +250,10 @@ class Suggest(ProgramTest):
         self.assertNotIn('<b class="word">Good', report)
         # Neither the first fit nor the look for additions is made again.
         before = self.written()["0"]
-        told = self.grow().stderr
+        printed = self.grow().stderr
         self.assertEqual(self.written()["0"], before)
-        self.assertIn("growth goes on after step 0", told)
-        self.assertNotIn("step 1 of at most 12, suggest", told)
+        self.assertIn("growth goes on after step 0", printed)
+        self.assertNotIn("step 1 of at most 12, suggest", printed)
         self.assertEqual(self.kept(), ["", "friction"])
         self.assertIs(self.grown("result.json")["growth"]["interrupted"], False)
         self.assertNotIn("Growth was interrupted", (self.folder / "grown/report.html").read_text())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/text/enumeration.h"
 #include "analysis/text/found.h"
 #include "analysis/text/number.h"
 #include "vehicles/condensed/findings.h"
@@ -56,10 +57,7 @@ std::string Enumerated(const std::vector<std::string>& items) {
   std::vector<std::string> different;
   for (const std::string& item : items)
     if (std::find(different.begin(), different.end(), item) == different.end()) different.push_back(item);
-  std::string text;
-  for (std::size_t i = 0; i < different.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == different.size() ? " and " : ", ") + different[i];
-  return text;
+  return Enumeration(different);
 }
 
 std::string EnumeratedLinks(std::vector<std::string> names) {

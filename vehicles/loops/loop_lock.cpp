@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/text/enumeration.h"
 #include "vehicles/loops/dead_centre.h"
 #include "vehicles/loops/findings.h"
 #include "vehicles/loops/loop_pose.h"
@@ -17,14 +18,6 @@ namespace fourpost {
 namespace {
 
 std::string Quoted(const Link& link) { return "link '" + link.name + "'"; }
-
-/// "a, b and c".
-std::string Enumerated(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-  return text;
-}
 
 /// The design pose and, for a link that reverses there does not move either, one some millimetres away.
 std::vector<LoopPose> SomePoses(Multibody& multibody) {
@@ -198,7 +191,7 @@ void LockSearch::FindRigidLinks() {
     for (const std::vector<int>& part : ApartFromTheBody(set)) {
       std::vector<std::string> names;
       for (const int link : part) names.push_back(Quoted(vehicle_.links[static_cast<std::size_t>(link)]));
-      Report(kLoopsRigid, RigidifyingSet(part), {Enumerated(names), PrecisionHint()});
+      Report(kLoopsRigid, RigidifyingSet(part), {Enumeration(names), PrecisionHint()});
     }
   }
 }
@@ -244,7 +237,7 @@ void LockSearch::Report(const Finding& kind, const Indices& closures, std::vecto
     if (closures.size() > 1 && closure.source_line > 0)
       names.back() += " (line " + std::to_string(closure.source_line) + ")";
   }
-  words.push_back(Enumerated(names));
+  words.push_back(Enumeration(names));
   const bool is_one = closures.size() == 1;
   words.insert(words.end(), {is_one ? "its place" : "their places", is_one ? "it" : "one of them"});
   faults_.Report(kind, {vehicle_.file, closures.empty() ? 0 : closures_[closures.front()].source_line}, words);
