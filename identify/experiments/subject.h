@@ -35,6 +35,9 @@ class Subject {
   void Calibrate(std::vector<Calibration> calibrations) { calibrations_ = std::move(calibrations); }
   /// What one evaluation may take.
   double deadline_s() const { return deadline_s_; }
+  /// Whether a steady motion that no balance finds is found by time integration, for a hundred times as much.
+  bool integrates() const { return integrates_; }
+  void LeaveOutIntegration() { integrates_ = false; }
 
   /// The equations in independent coordinates, made when first asked for. Throws FaultyInput when the vehicle cannot be
   /// assembled or held.
@@ -48,6 +51,7 @@ class Subject {
   const std::vector<std::size_t>& free_;
   std::filesystem::path study_file_;
   double deadline_s_;
+  bool integrates_ = true;
   Control control_;
   std::vector<Calibration> calibrations_;
   mutable std::shared_ptr<const CondensedVehicle> condensed_;

@@ -23,7 +23,7 @@ Vehicle WithValuesOf(const Vehicle& studied, Vehicle extended) {
   return extended;
 }
 
-AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& addition)
+AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& addition, bool integrates)
     : study_(study), addition_(addition) {
   if (addition.study) return;
   vehicle_ = study.vehicle;
@@ -39,7 +39,8 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
     // A prior would add a residual; what the data say alone is the question.
     vehicle_.parameters[free_.back()].prior_sd.reset();
   }
-  const Subject subject(vehicle_, free_, study.study.file, study.study.search.deadline_s);
+  Subject subject(vehicle_, free_, study.study.file, study.study.search.deadline_s);
+  if (!integrates) subject.LeaveOutIntegration();
   std::vector<ResidualBlock> blocks;
   for (const Experiment& experiment : study.study.experiments)
     if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
@@ -49,7 +50,7 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
 
 std::optional<Eigen::VectorXd> AugmentedStudy::At(double amount, const Eigen::VectorXd& values) const {
   if (addition_.study) return OfStudy(amount, values);
-  const std::vector<double> added = addition_.values(amount);
+  const std::vector<double> added = addition_.values ? addition_.values(amount) : std::vector<double>();
   Eigen::VectorXd all(values.size() + static_cast<Index>(added.size()));
   all.head(values.size()) = values;
   for (std::size_t i = 0; i < added.size(); ++i) all[values.size() + static_cast<Index>(i)] = added[i];

@@ -23,8 +23,8 @@ Vehicle WithValuesOf(const Vehicle& studied, Vehicle extended);
 /// A study's objective with one addition in it. Both must outlive it.
 class AugmentedStudy {
  public:
-  /// Throws FaultyInput where the vehicle cannot be read, assembled or held.
-  AugmentedStudy(const LoadedStudy& study, const Addition& addition);
+  /// `integrates`: see Subject. Throws FaultyInput where the vehicle cannot be read, assembled or held.
+  AugmentedStudy(const LoadedStudy& study, const Addition& addition, bool integrates);
 
   /// Residuals; nothing where they cannot be evaluated. `values`: of the study's free parameters. Not from several
   /// threads at once.

@@ -99,13 +99,20 @@ Followed FollowedCost::Of(const Eigen::VectorXd& residuals) const {
   return followed;
 }
 
-std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range,
-                                    const ResidualsOf& residuals) {
+double LeastPromise(double cost, Index residuals, std::size_t additions) {
+  const auto count = static_cast<double>(residuals);
+  const double share = -std::expm1(-2 * std::log(static_cast<double>(additions)) / count);
+  return 0.5 * share * std::max(cost, count);
+}
+
+std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
+                                    double least_promise) {
   constexpr int kMost = 4;
   constexpr double kSame = 0.15;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(fitted.point().jacobian.cols());
   std::vector<Tried> tried(1);
   tried.front().remainder = fitted.Remainder(fitted.point().residuals);
+  const double none_added = fitted.point().loss.Cost(tried.front().remainder);
   ScoreTest test;
   double amount = range.first;
   for (; test.evaluations < kMost;) {
@@ -122,6 +129,8 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
     std::sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.amount < b.amount; });
     if (range.least == range.greatest) break;
     amount = BestAmount(fitted.point().loss, range, tried);
+    const double promise = none_added - fitted.point().loss.Cost(Interpolated(tried, amount));
+    if (promise < least_promise) break;
     const bool is_known = std::any_of(tried.begin(), tried.end(), [&](const Tried& one) {
       return std::abs(one.amount - amount) <= kSame * std::max(std::abs(one.amount), std::abs(amount));
     });

@@ -76,11 +76,16 @@ struct AmountRange {
   double greatest = 0;
 };
 
+/// Half of the least fall of a cost with which CriterionChange() could be below 0, however independent residuals are:
+/// what promises less, with one amount known, is not looked at further.
+double LeastPromise(double cost, Eigen::Index residuals, std::size_t additions);
+
 /// The amount at which the cost, variables following, is least: residuals are linear in the amount between 0 and those
 /// that were evaluated, of which there are four at most; the best of these is the answer. A score test takes the first
 /// of them to be small (Rao 1948); laws with kinks, which begin to act at some amount, need the others. Nothing where
-/// none can be evaluated.
-std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals);
+/// none can be evaluated. It ends with what is known where no amount promises a fall of `least_promise`.
+std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
+                                    double least_promise = 0);
 
 /// Goes on from there: steps of the amount and the variables together with the derivatives that are known, each
 /// evaluated truly and kept where the cost falls. Where it never does, the test says that nothing is left or moved.

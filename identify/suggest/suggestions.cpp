@@ -124,13 +124,14 @@ class Suggester {
     std::vector<Trial> trials;
     trials.reserve(additions.size());
     for (Addition& addition : additions) trials.push_back({.addition = std::move(addition)});
+    const bool integrates = !BalancesAlone();
     // One after the other: libraries that read vehicles report faults in one place.
     for (Trial& trial : trials) {
       hooks_.Show("suggest: reading " + std::to_string(&trial - trials.data() + 1) + " of " +
                   std::to_string(trials.size()) + " additions");
       if (hooks_.IsStopped()) break;
       try {
-        trial.study = std::make_unique<AugmentedStudy>(study_, trial.addition);
+        trial.study = std::make_unique<AugmentedStudy>(study_, trial.addition, integrates);
       } catch (const FaultyInput& fault) {
         trial.failure = FirstErrorOf(fault.diagnostics());
       } catch (const SimulationError& error) {
@@ -140,6 +141,12 @@ class Suggester {
       }
     }
     return trials;
+  }
+
+  /// Whether the vehicle as it stands needs no integration: where an addition does, there is too much of it.
+  bool BalancesAlone() const {
+    const Addition none;
+    return AugmentedStudy(study_, none, false).At(0, values_).has_value();
   }
 
   ResidualsOf Residuals(const Trial& trial) const {
@@ -163,10 +170,11 @@ class Suggester {
     std::atomic<std::size_t> done = 0;
     std::atomic<std::int64_t> evaluations = 0;
     std::mutex shown;
+    const double promise = LeastPromise(base_.cost, result_.residuals, result_.tried);
     ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
       Trial& trial = trials[i];
       if (!trial.study || hooks_.IsStopped()) return;
-      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial));
+      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial), promise);
       if (trial.test) evaluations += trial.test->evaluations;
       else trial.failure = trial.study->failure();
       const std::size_t now = ++done;

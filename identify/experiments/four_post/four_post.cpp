@@ -177,7 +177,8 @@ void FourPost::AddTo(Sha256& data, Sha256& settings) const {
 }
 
 std::optional<ResidualBlock> FourPost::Residuals(const Subject& subject) const {
-  return FourPostResiduals(subject.Condensed(), RunsInBand(), plan.model_error, subject.calibrations());
+  return FourPostResiduals(subject.Condensed(), RunsInBand(), plan.model_error, subject.calibrations(),
+                           subject.integrates());
 }
 
 bool FourPost::MeasuresForce() const {

@@ -174,7 +174,8 @@ Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector
 }
 
 Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
-                    const ModelError& model_error, const std::vector<double>& values, const Deadline& deadline) {
+                    const ModelError& model_error, const std::vector<double>& values, const Deadline& deadline,
+                    bool integrates = true) {
   const CondensedModel model = vehicle.At(values);
   Evaluation evaluation;
   evaluation.residuals.resize(count);
@@ -188,7 +189,7 @@ Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredR
     const MeasuredRun& run = runs[r];
     const double began_s = ThreadTime_s();
     const PeriodicResponse modelled =
-        ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, shared.Begin());
+        ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, shared.Begin(), integrates);
     shared.End(began_s);
     if (!modelled.unconverged_Hz.empty()) {
       unconverged_Hz[r] = modelled.unconverged_Hz[0];
@@ -271,7 +272,7 @@ Eigen::MatrixXd ByCalibrations(const CondensedVehicle& vehicle, const std::vecto
 }
 
 ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
-                      const ModelError& model_error) {
+                      const ModelError& model_error, bool integrates) {
   const Eigen::Index count = CountOf(runs, model_error);
   ResidualStructure structure = StructureOf(vehicle->vehicle(), runs, model_error);
   // Integrated in time: to the tolerance of March(), without derivatives of the model's own.
@@ -289,8 +290,9 @@ ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vect
           // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
           .accuracy = kFitBalance.tolerance,
           .evaluate =
-              [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
-                return Evaluate(*vehicle, runs, count, model_error, values, deadline);
+              [vehicle, runs, count, model_error, integrates](const std::vector<double>& values,
+                                                          const Deadline& deadline) {
+                return Evaluate(*vehicle, runs, count, model_error, values, deadline, integrates);
               },
           .differentiate =
               [vehicle, runs, count, model_error](const std::vector<double>& values,
@@ -303,8 +305,9 @@ ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vect
 }  // namespace
 
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
-                                const ModelError& model_error, const std::vector<Calibration>& calibrations) {
-  ResidualBlock block = BlockOf(vehicle, runs, model_error);
+                                const ModelError& model_error, const std::vector<Calibration>& calibrations,
+                                bool integrates) {
+  ResidualBlock block = BlockOf(vehicle, runs, model_error, integrates);
   if (!calibrations.empty())
     block.by_calibrations = [vehicle, runs, count = block.count, model_error,
                              calibrations](const std::vector<double>& values) {

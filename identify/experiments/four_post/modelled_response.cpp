@@ -98,13 +98,13 @@ void IntegrateUnconverged(const CondensedModel& model, const std::vector<Sensor>
 }  // namespace
 
 PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
-                                  const Excitation& excitation, const Deadline& deadline) {
+                                  const Excitation& excitation, const Deadline& deadline, bool integrates) {
   if (HasHysteresis(model)) return Integrated(model, sensors, excitation, deadline);
   HarmonicBalanceOptions balance = kFitBalance;
   balance.deadline = deadline;
   PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, excitation, balance);
   // A wheel that hops has a motion, though no few harmonics show it.
-  if (!model.liftoffs.empty() && !periodic.unconverged_Hz.empty())
+  if (integrates && !model.liftoffs.empty() && !periodic.unconverged_Hz.empty())
     IntegrateUnconverged(model, sensors, excitation, deadline, periodic);
   return periodic;
 }

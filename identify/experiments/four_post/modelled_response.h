@@ -13,9 +13,10 @@
 namespace fourpost {
 
 /// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
-/// reduced model integrated in time until its motion repeats (thesis 4.2.3), to a thousandth.
+/// reduced model integrated in time until its motion repeats (thesis 4.2.3), to a thousandth. `integrates`: whether
+/// motions that no balance finds, of wheels that lift, are found so as well.
 PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
-                                  const Excitation& excitation, const Deadline& deadline = {});
+                                  const Excitation& excitation, const Deadline& deadline = {}, bool integrates = true);
 
 /// What the model answers to the excitation of each run, see ModelledResponse: one channel per sensor, NaN at
 /// frequencies where no periodic response was found.
