@@ -16,6 +16,8 @@ class FreedParameters {
 
   /// Whether the vehicle has them all.
   bool AreKnown() const { return places_.size() == count_; }
+  /// Of one of the free parameters among all.
+  std::size_t Place(Eigen::Index free) const { return places_[static_cast<std::size_t>(free)]; }
   /// All values of the vehicle's file but for these of the free ones.
   std::vector<double> AllWith(const Eigen::VectorXd& free) const;
 

@@ -18,6 +18,14 @@ using OutputsOf = std::function<Eigen::VectorXd(const Eigen::VectorXd& values)>;
 Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outputs, const OutputsOf& outputs_of,
                                int threads = 1);
 
+/// d value [SI] / d FitVariables of each judged parameter.
+Eigen::VectorXd JudgedSlopes(const ParameterSpread& spread);
+
+/// Whether such a Jacobian that the model supplies itself may stand for one by differences: central differences along
+/// two directions, in which every parameter moves by a tenth of its deviation, agree with it to within 5 % of that
+/// change, each output over its deviation. Four evaluations.
+bool OutputDerivativesHold(const ParameterSpread& spread, const Eigen::MatrixXd& jacobian, const OutputsOf& outputs_of);
+
 /// Variances of the outputs, J S J' on its diagonal, to first order (Gauss).
 Eigen::VectorXd OutputVariances(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& covariance);
 

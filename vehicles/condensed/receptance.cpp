@@ -53,8 +53,11 @@ struct RealResidue {
 
 }  // namespace
 
-Receptance::Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape)
-    : vehicle_(model, LinearVehicle::Rates::kCentre), directions_(Directions(ports, vehicle_.size())) {
+Receptance::Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape,
+                       Coordinates coordinates)
+    : vehicle_(model, LinearVehicle::Rates::kCentre),
+      coordinates_(coordinates),
+      directions_(Directions(ports, vehicle_.size())) {
   const Eigen::Map<const Eigen::VectorXd> posts(shape.data(), static_cast<Eigen::Index>(shape.size()));
   const Eigen::Index n = vehicle_.mass.rows();
   const Eigen::Index count = directions_.cols();
@@ -65,7 +68,7 @@ Receptance::Receptance(const CondensedModel& model, const std::vector<Port>& por
   post_share_ = Eigen::VectorXd::Zero(count);
   for (Eigen::Index j = 0; j < count; ++j)
     if (const int post = ports[static_cast<std::size_t>(j)].post; post >= 0) post_share_[j] = posts[post];
-  poles_ = FindPoles();
+  if (coordinates == Coordinates::kFree) poles_ = FindPoles();
 }
 
 std::optional<Receptance::Poles> Receptance::FindPoles() const {
@@ -128,6 +131,7 @@ bool Receptance::Reproduces(const Poles& poles) const {
 void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance) const {
   const Eigen::Index count = directions_.cols();
   receptance.resize(harmonics + 1, count * count);
+  if (coordinates_ == Coordinates::kHeld) return HeldPorts(omega, receptance);
   if (!poles_) {
     for (int h = 0; h <= harmonics; ++h) {
       const Eigen::MatrixXcd across =
@@ -137,6 +141,19 @@ void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance
     return;
   }
   SumResidues(omega, 0, harmonics, poles_->residues, receptance);
+}
+
+/// The block of series springs is diagonal: each has its dashpot.
+void Receptance::HeldPorts(double omega, Eigen::MatrixXcd& receptance) const {
+  const Eigen::Index series = vehicle_.series();
+  const Eigen::MatrixXd on_series = directions_.bottomRows(series);
+  for (Eigen::Index h = 0; h < receptance.rows(); ++h) {
+    Eigen::VectorXcd impedance(series);
+    impedance.real() = vehicle_.stiffness.diagonal().tail(series);
+    impedance.imag() = static_cast<double>(h) * omega * vehicle_.damping.diagonal().tail(series);
+    const Eigen::MatrixXcd across = -(on_series.transpose() * impedance.cwiseInverse().asDiagonal() * on_series);
+    receptance.row(h) = across.reshaped().transpose();
+  }
 }
 
 void Receptance::SumResidues(double omega, int first, int last, const Eigen::MatrixXd& residues,

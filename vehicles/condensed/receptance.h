@@ -20,8 +20,12 @@ namespace fourpost {
 /// Factorises instead if two poles are so close that their shapes no longer span all motion.
 class Receptance {
  public:
+  /// Held ones do not move: forces at the elements move the series springs alone, and only Ports() may be asked for.
+  enum class Coordinates { kFree, kHeld };
+
   /// `shape`: of the posts, see Excitation.
-  Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape);
+  Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape,
+             Coordinates coordinates = Coordinates::kFree);
 
   /// Of harmonics 0..H of `omega`: (H + 1) x ports^2, column i + ports j: - P_i' Z^-1 P_j, extension of port i per
   /// tension of port j.
@@ -80,6 +84,7 @@ class Receptance {
     Eigen::MatrixXd motion_residues;
   };
 
+  void HeldPorts(double omega, Eigen::MatrixXcd& receptance) const;
   std::optional<Poles> FindPoles() const;
   static Eigen::MatrixXd ResiduesOf(const Poles& poles, const Eigen::MatrixXcd& shapes, Eigen::Index inputs);
   bool Reproduces(const Poles& poles) const;
@@ -91,6 +96,7 @@ class Receptance {
   Eigen::VectorXcd Inputs(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
 
   LinearVehicle vehicle_;
+  Coordinates coordinates_;
   Eigen::MatrixXd directions_;
   Eigen::VectorXd post_share_;
   /// size x (ports, 1, 1): forces on [s x] per unit tension, post height and post velocity.

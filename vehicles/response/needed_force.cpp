@@ -9,14 +9,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Springs to the ground that are so stiff that elements' forces do not count.
-CondensedModel Held(CondensedModel model) {
-  constexpr double kStiff = 1e9;
-  const double most = model.stiffness.cwiseAbs().maxCoeff();
-  model.stiffness.diagonal().array() += kStiff * (most > 0 ? most : 1);
-  return model;
-}
-
 }  // namespace
 
 NeededForce::NeededForce(const CondensedModel& model, const std::vector<double>& shape)
@@ -24,7 +16,7 @@ NeededForce::NeededForce(const CondensedModel& model, const std::vector<double>&
       shape_(Eigen::Map<const Eigen::VectorXd>(shape.data(), static_cast<Eigen::Index>(shape.size()))),
       vehicle_(model, LinearVehicle::Rates::kCentre),
       ports_(PortsOf(model)),
-      held_(Held(model), ports_, shape) {}
+      held_(model, ports_, shape, Receptance::Coordinates::kHeld) {}
 
 int NeededForce::SamplesFor(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) const {
   constexpr int kSmooth = 4 * kHarmonics + 4;
@@ -58,28 +50,30 @@ Eigen::MatrixXcd NeededForce::WithSeries(double omega, const Eigen::MatrixXcd& m
   all.topLeftCorner(last, n) = motion.topRows(last);
   const Eigen::Index series = vehicle_.series();
   for (Eigen::Index h = 0; h < last && series > 0; ++h) {
-    const Eigen::MatrixXcd impedance = vehicle_.Impedance(static_cast<double>(h) * omega);
+    const Complex rate(0, static_cast<double>(h) * omega);
+    const Eigen::VectorXcd moved = all.row(h).head(n).transpose();
+    const Eigen::VectorXcd forces =
+        vehicle_.stiffness.bottomLeftCorner(series, n) * moved + vehicle_.damping.bottomLeftCorner(series, n) * (rate * moved);
     // Diagonal: each series spring has its dashpot.
-    const Eigen::VectorXcd rates = impedance.bottomRightCorner(series, series).diagonal();
-    const Eigen::VectorXcd forces = impedance.bottomLeftCorner(series, n) * all.row(h).head(n).transpose();
+    const Eigen::VectorXcd rates =
+        vehicle_.stiffness.diagonal().tail(series) + rate * vehicle_.damping.diagonal().tail(series);
     all.row(h).tail(series) = -forces.cwiseQuotient(rates).transpose();
   }
   return all;
 }
 
 std::optional<Eigen::VectorXcd> NeededForce::At(double frequency_Hz, std::complex<double> posts,
-                                                const Eigen::MatrixXcd& motion, int samples) {
-  constexpr double kTolerance = 1e-6;
-  constexpr int kMostIterations = 60;
+                                                const Eigen::MatrixXcd& motion, int samples,
+                                                const Eigen::MatrixXcd& start) {
   const double omega = 2 * std::numbers::pi * frequency_Hz;
   const Eigen::Index n = model_.mass.rows();
   const Eigen::Index series = vehicle_.series();
   const Eigen::MatrixXcd linear = WithSeries(omega, motion);
   const Eigen::MatrixXcd driven = Driven(linear, posts);
-  PortCycle& cycle = cycles_.try_emplace(samples, ports_, held_, kHarmonics, samples).first->second;
-  if (!cycle.Solve(omega, driven, driven, kTolerance, kMostIterations)) return std::nullopt;
+  const Eigen::MatrixXcd* remainders = Remainders(omega, driven, samples, start);
+  if (!remainders) return std::nullopt;
   Eigen::VectorXcd tensions = Eigen::VectorXcd::Zero(driven.cols());
-  if (driven.cols() > 0) tensions = cycle.remainder().row(1).transpose();
+  if (driven.cols() > 0) tensions = remainders->row(1).transpose();
   const Eigen::VectorXcd forces = held_.directions().cast<Complex>() * tensions;
   const Eigen::MatrixXcd impedance = vehicle_.Impedance(omega);
   Eigen::VectorXcd all = linear.row(1).transpose();
@@ -88,6 +82,91 @@ std::optional<Eigen::VectorXcd> NeededForce::At(double frequency_Hz, std::comple
   needed -= (model_.post_stiffness * shape_).cast<Complex>() * posts;
   needed -= (model_.post_damping * shape_).cast<Complex>() * (Complex(0, omega) * posts);
   return needed;
+}
+
+const Eigen::MatrixXcd* NeededForce::Remainders(double omega, const Eigen::MatrixXcd& driven, int samples,
+                                                const Eigen::MatrixXcd& start) {
+  constexpr double kTolerance = 1e-6;
+  constexpr int kMostIterations = 60;
+  PortCycle& cycle = cycles_.try_emplace(samples, ports_, held_, kHarmonics, samples).first->second;
+  const Eigen::MatrixXcd from = start.size() > 0 ? Eigen::MatrixXcd(driven + start) : driven;
+  if (!cycle.Solve(omega, driven, from, kTolerance, kMostIterations)) return nullptr;
+  yielded_ = cycle.extension() - driven;
+  return &cycle.remainder();
+}
+
+bool NeededForce::AreApart() const {
+  const auto series = [&](std::size_t port) { return ports_[port].direction.tail(vehicle_.series()).cwiseAbs(); };
+  for (std::size_t j = 0; j < ports_.size(); ++j)
+    for (std::size_t k = 0; k < j; ++k)
+      if (series(j).dot(series(k)) > 0) return false;
+  return true;
+}
+
+/// Coordinates are given, so that the force of each port follows its own extension: all of them are moved at once.
+std::optional<Eigen::MatrixXd> NeededForce::Slope(double frequency_Hz, std::complex<double> posts,
+                                                  const Eigen::MatrixXcd& motion, int samples, double step) {
+  if (!AreApart()) return SlopeByCoordinates(frequency_Hz, posts, motion, samples, step);
+  const double omega = 2 * std::numbers::pi * frequency_Hz;
+  const Eigen::Index n = model_.mass.rows();
+  const Eigen::Index series = vehicle_.series();
+  const Eigen::MatrixXcd impedance = vehicle_.Impedance(omega);
+  const Eigen::VectorXcd yielding = impedance.bottomRightCorner(series, series).diagonal().cwiseInverse();
+  const Eigen::MatrixXcd directions = held_.directions().cast<Complex>();
+  Eigen::MatrixXcd all(n + series, n);
+  all << Eigen::MatrixXcd::Identity(n, n), -(yielding.asDiagonal() * impedance.bottomLeftCorner(series, n));
+  const Eigen::MatrixXcd by_motion = impedance.topRows(n) * all;
+  const Eigen::MatrixXcd extensions = directions.transpose() * all;
+  const Eigen::MatrixXcd by_tension =
+      directions.topRows(n) -
+      impedance.topRightCorner(n, series) * (yielding.asDiagonal() * directions.bottomRows(series));
+  const Eigen::MatrixXcd driven = Driven(WithSeries(omega, motion), posts);
+  const Eigen::Index ports = driven.cols();
+  Eigen::VectorXcd here = Eigen::VectorXcd::Zero(ports);
+  Eigen::MatrixXcd tensions = Eigen::MatrixXcd::Zero(ports, 2);
+  if (ports > 0) {
+    const Eigen::MatrixXcd* remainders = Remainders(omega, driven, samples, {});
+    if (!remainders) return std::nullopt;
+    here = remainders->row(1).transpose();
+    const Eigen::MatrixXcd start = yielded_;
+    for (Eigen::Index part = 0; part < 2; ++part) {
+      Eigen::MatrixXcd moved = driven;
+      moved.row(1).array() += part == 0 ? Complex(step, 0) : Complex(0, step);
+      remainders = Remainders(omega, moved, samples, start);
+      if (!remainders) return std::nullopt;
+      tensions.col(part) = (remainders->row(1).transpose() - here) / step;
+    }
+  }
+  Eigen::MatrixXd slope(2 * n, 2 * n);
+  for (const Eigen::Index part : {0, 1}) {
+    const Complex unit = part == 0 ? Complex(1, 0) : Complex(0, 1);
+    const Eigen::MatrixXcd moved = unit * extensions;
+    const Eigen::MatrixXcd change =
+        unit * by_motion + by_tension * (tensions.col(0).asDiagonal() * moved.real().cast<Complex>() +
+                                         tensions.col(1).asDiagonal() * moved.imag().cast<Complex>());
+    slope.block(0, part * n, n, n) = change.real();
+    slope.block(n, part * n, n, n) = change.imag();
+  }
+  return slope;
+}
+
+std::optional<Eigen::MatrixXd> NeededForce::SlopeByCoordinates(double frequency_Hz, std::complex<double> posts,
+                                                               const Eigen::MatrixXcd& motion, int samples,
+                                                               double step) {
+  const Eigen::Index n = model_.mass.rows();
+  const std::optional<Eigen::VectorXcd> here = At(frequency_Hz, posts, motion, samples);
+  if (!here) return std::nullopt;
+  const Eigen::MatrixXcd start = yielded_;
+  Eigen::MatrixXd slope(2 * n, 2 * n);
+  for (Eigen::Index j = 0; j < 2 * n; ++j) {
+    Eigen::MatrixXcd moved = motion;
+    moved(1, j % n) += j < n ? Complex(step, 0) : Complex(0, step);
+    const std::optional<Eigen::VectorXcd> there = At(frequency_Hz, posts, moved, samples, start);
+    if (!there) return std::nullopt;
+    const Eigen::VectorXcd change = (*there - *here) / step;
+    slope.col(j) << change.real(), change.imag();
+  }
+  return slope;
 }
 
 }  // namespace fourpost

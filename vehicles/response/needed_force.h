@@ -35,8 +35,16 @@ class NeededForce {
     return At(frequency_Hz, posts, motion, SamplesFor(frequency_Hz, posts, motion));
   }
   /// With as many samples per cycle as for another motion or model: so that differences are not those of sampling.
+  /// `start`: Yielded() of a motion or a model next to this one; empty: nothing is known.
   std::optional<Eigen::VectorXcd> At(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion,
-                                     int samples);
+                                     int samples, const Eigen::MatrixXcd& start = {});
+
+  /// What nonlinear forces changed in the ports' extensions in the last motion: harmonics x ports.
+  const Eigen::MatrixXcd& Yielded() const { return yielded_; }
+
+  /// 2n x 2n: change of [Re F, Im F] by [Re s, Im s] of the first harmonic, by differences of `step` [m].
+  std::optional<Eigen::MatrixXd> Slope(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion,
+                                       int samples, double step);
 
   /// Enough that friction takes its step in more than one sample.
   int SamplesFor(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) const;
@@ -44,6 +52,13 @@ class NeededForce {
  private:
   /// Extensions of the ports without nonlinear forces.
   Eigen::MatrixXcd Driven(const Eigen::MatrixXcd& linear, std::complex<double> posts) const;
+  /// Harmonics of the ports' nonlinear forces; none where a series damper has no periodic motion.
+  const Eigen::MatrixXcd* Remainders(double omega, const Eigen::MatrixXcd& driven, int samples,
+                                     const Eigen::MatrixXcd& start);
+  /// Whether no two ports share a series spring: then each one's force depends on its own driven extension alone.
+  bool AreApart() const;
+  std::optional<Eigen::MatrixXd> SlopeByCoordinates(double frequency_Hz, std::complex<double> posts,
+                                                    const Eigen::MatrixXcd& motion, int samples, double step);
   /// Of all harmonics, for motion s, with the series springs' extensions as in the linear vehicle: [s x].
   Eigen::MatrixXcd WithSeries(double omega, const Eigen::MatrixXcd& motion) const;
 
@@ -55,6 +70,7 @@ class NeededForce {
   Receptance held_;
   /// By their samples.
   std::map<int, PortCycle> cycles_;
+  Eigen::MatrixXcd yielded_;
 };
 
 }  // namespace fourpost

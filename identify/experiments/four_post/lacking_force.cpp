@@ -187,11 +187,12 @@ class RunForce {
       samples_ = std::max(samples_, needed_.SamplesFor(sample.frequency_Hz, amplitude, Harmonics(sample, modelled_)));
     const Eigen::MatrixXd weighed = sight.sd.cwiseInverse().asDiagonal() * sight.rows / amplitude;
     sample.information = weighed.transpose() * weighed;
-    const std::optional<Eigen::VectorXd> force = Force(needed_, sample, sample.motion);
+    const std::optional<Eigen::VectorXd> force = Force(needed_, sample, sample.motion, {});
     if (!force) return std::nullopt;
+    yielded_ = needed_.Yielded();
     const Eigen::Index n = sample.motion.size();
     sample.force = force->head(n) + Complex(0, 1) * force->tail(n);
-    if (!AddSlope(*force, sample) || !AddDoubts(*force, sight, f, sample)) return std::nullopt;
+    if (!AddSlope(sample) || !AddDoubts(*force, sight, f, sample)) return std::nullopt;
     return sample;
   }
 
@@ -214,26 +215,22 @@ class RunForce {
     return harmonics;
   }
 
+  /// `start`: NeededForce::Yielded() of a motion or a model next to it.
   std::optional<Eigen::VectorXd> Force(NeededForce& needed, const ForceSample& sample, const Eigen::VectorXcd& motion,
-                                       Complex posts = 1) const {
+                                       const Eigen::MatrixXcd& start, Complex posts = 1) const {
     const std::optional<Eigen::VectorXcd> force =
-        needed.At(sample.frequency_Hz, posts * sample.amplitude_m, Harmonics(sample, motion), samples_);
+        needed.At(sample.frequency_Hz, posts * sample.amplitude_m, Harmonics(sample, motion), samples_, start);
     if (!force) return std::nullopt;
     return Stacked(*force);
   }
 
-  bool AddSlope(const Eigen::VectorXd& force, ForceSample& sample) {
+  bool AddSlope(ForceSample& sample) {
     constexpr double kStep = 1e-4;
-    const Eigen::Index n = sample.motion.size();
     const double step = kStep * std::max(sample.motion.cwiseAbs().maxCoeff(), sample.amplitude_m);
-    sample.slope.resize(2 * n, 2 * n);
-    for (Eigen::Index j = 0; j < 2 * n; ++j) {
-      Eigen::VectorXcd moved = sample.motion;
-      moved[j % n] += j < n ? Complex(step, 0) : Complex(0, step);
-      const std::optional<Eigen::VectorXd> there = Force(needed_, sample, moved);
-      if (!there) return false;
-      sample.slope.col(j) = (*there - force) / step;
-    }
+    std::optional<Eigen::MatrixXd> slope =
+        needed_.Slope(sample.frequency_Hz, sample.amplitude_m, Harmonics(sample, sample.motion), samples_, step);
+    if (!slope) return false;
+    sample.slope = *std::move(slope);
     return true;
   }
 
@@ -242,7 +239,7 @@ class RunForce {
     Eigen::MatrixXd by_parameter(force.size(), parameters);
     for (Eigen::Index j = 0; j < parameters; ++j) {
       const std::optional<Eigen::VectorXd> there =
-          Force(*at_doubts_[static_cast<std::size_t>(j)], sample, sample.motion);
+          Force(*at_doubts_[static_cast<std::size_t>(j)], sample, sample.motion, yielded_);
       if (!there) return false;
       by_parameter.col(j) = (*there - force) / doubts_.shares[static_cast<std::size_t>(j)];
     }
@@ -260,7 +257,7 @@ class RunForce {
       std::optional<Eigen::VectorXd> there = Stacked(motion - sample.motion);
       Eigen::VectorXd change = sample.slope * *there;
       if (posts != 1.0) {
-        there = Force(needed_, sample, sample.motion, posts);
+        there = Force(needed_, sample, sample.motion, yielded_, posts);
         if (!there) return false;
         change += *there - force;
       }
@@ -273,11 +270,12 @@ class RunForce {
   bool AddOwn(ForceSample& sample) {
     sample.modelled = modelled_;
     if (modelled_.size() == 0) return true;
-    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_);
+    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_, {});
     if (!here) return false;
+    const Eigen::MatrixXcd start = needed_.Yielded();
     sample.by_parameters.resize(here->size(), RowOf(doubts_.moved.size()));
     for (std::size_t j = 0; j < doubts_.moved.size(); ++j) {
-      const std::optional<Eigen::VectorXd> there = Force(*at_doubts_[j], sample, modelled_);
+      const std::optional<Eigen::VectorXd> there = Force(*at_doubts_[j], sample, modelled_, start);
       if (!there) return false;
       sample.by_parameters.col(RowOf(j)) = (*there - *here) / doubts_.shares[j];
     }
@@ -288,8 +286,8 @@ class RunForce {
   Eigen::VectorXd ByCommon(const ForceSample& sample) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(2 * sample.motion.size());
     if (modelled_.size() == 0) return none;
-    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_);
-    const std::optional<Eigen::VectorXd> there = Force(*scaled_, sample, modelled_);
+    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_, {});
+    const std::optional<Eigen::VectorXd> there = Force(*scaled_, sample, modelled_, needed_.Yielded());
     if (!here || !there) return none;
     return (*there - *here) / -kShareOfReach;
   }
@@ -314,6 +312,8 @@ class RunForce {
   std::optional<NeededForce> scaled_;
   /// First harmonic of the model's own motion at the frequency at hand; empty: it has none.
   Eigen::VectorXcd modelled_;
+  /// NeededForce::Yielded() of the measured motion at that frequency.
+  Eigen::MatrixXcd yielded_;
   /// Per cycle, for all motions at that frequency.
   int samples_ = 0;
 };

@@ -3,12 +3,16 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "identify/experiments/fit_balance.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/freed_parameters.h"
 #include "identify/uncertainty/output_spread.h"
+#include "vehicles/response/balance_sensitivity.h"
+#include "vehicles/response/hysteresis.h"
 
 namespace fourpost {
 namespace {
@@ -56,6 +60,29 @@ BandCount Outside(const MeasuredChannel& measured, const ChannelResponse& modell
   return count;
 }
 
+/// d AlongPhasors() / d FitVariables of the judged parameters, by the model's own derivatives; none where it has none.
+std::optional<Eigen::MatrixXd> OwnJacobian(const Subject& subject, const MeasuredRun& run,
+                                           const FrequencyResponse& modelled, const ParameterSpread& spread,
+                                           const FreedParameters& freed) {
+  const std::vector<double> values = freed.AllWith(spread.values);
+  if (HasHysteresis(subject.Condensed()->At(values))) return std::nullopt;
+  std::vector<std::size_t> parameters;
+  for (const Index j : spread.judged) parameters.push_back(freed.Place(j));
+  const Eigen::VectorXd slopes = JudgedSlopes(spread);
+  try {
+    const ResponseSensitivity sensitivity =
+        SolveBalanceSensitivity(*subject.Condensed(), values, parameters, run.excitation, kFitBalance);
+    if (!sensitivity.periodic.unconverged_Hz.empty()) return std::nullopt;
+    Eigen::MatrixXd jacobian(AlongPhasors(run, modelled, modelled).size(), std::ssize(parameters));
+    for (Index k = 0; k < jacobian.cols(); ++k)
+      jacobian.col(k) =
+          slopes[k] * AlongPhasors(run, modelled, sensitivity.by_parameter[static_cast<std::size_t>(k)]);
+    return jacobian;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, const FrequencyResponse& modelled,
@@ -75,7 +102,10 @@ ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, co
     }
   };
   const Index count = AlongPhasors(run, modelled, modelled).size();
-  const Eigen::VectorXd variances = OutputVariances(OutputJacobian(spread, count, response_at, threads), spread.total);
+  std::optional<Eigen::MatrixXd> jacobian = OwnJacobian(subject, run, modelled, spread, freed);
+  if (!jacobian || !OutputDerivativesHold(spread, *jacobian, response_at))
+    jacobian = OutputJacobian(spread, count, response_at, threads);
+  const Eigen::VectorXd variances = OutputVariances(*jacobian, spread.total);
   bands.evaluations = evaluations;
   Index next = 0;
   for (const MeasuredChannel& channel : run.channels) {

@@ -94,6 +94,32 @@ TEST(ScoreTest, IsZeroWhereTheSignIsNotPhysical) {
   EXPECT_GE(test->cost, point.residuals.squaredNorm() * (1 - 1e-6));
 }
 
+// One evaluation shows that nothing is to be had.
+TEST(ScoreTest, EndsEarlyWhereNothingIsPromised) {
+  const VectorXd column = White(400, 7);
+  const FittedPoint point = Optimum(400, 5, VectorXd::Zero(400), 1);
+  const auto residuals = [&](double s, const VectorXd& step) {
+    return std::optional<VectorXd>(point.residuals + s * column + point.jacobian * step);
+  };
+  const double cost = point.residuals.squaredNorm();
+  const AmountRange range{.first = 0.3, .least = -10, .greatest = 10};
+  const auto whole = TestAmount(FollowedCost(point), range, residuals);
+  const auto ended = TestAmount(FollowedCost(point), range, residuals, LeastPromise(cost, 400, 100));
+  ASSERT_TRUE(whole.has_value() && ended.has_value());
+  EXPECT_GT(whole->evaluations, 1);
+  EXPECT_EQ(ended->evaluations, 1);
+  // It could not have been worth adding.
+  EXPECT_GT(CriterionChange(cost, whole->cost, 400, 400, 1, 100), 0);
+}
+
+TEST(ScoreTest, PromiseIsHalfOfTheLeastThatCanPay) {
+  for (const double cost : {100.0, 400.0, 4000.0}) {
+    const double promise = LeastPromise(cost, 400, 100);
+    EXPECT_GT(CriterionChange(cost, cost - promise, 400, 400, 0, 100), 0);
+    EXPECT_LT(CriterionChange(cost, cost - 2.1 * promise, 400, 400, 0, 100), 0);
+  }
+}
+
 // A knee acts from 0.3 on: the slope at 0 says nothing of it.
 TEST(ScoreTest, FindsWhatBeginsToActAtSomeAmount) {
   const VectorXd column = White(400, 7);

@@ -45,5 +45,42 @@ TEST(OutputSpread, IsOneSidedAtABoundAndZeroWhereTheModelFails) {
   EXPECT_EQ(jacobian(0, 1), 0);
 }
 
+/// As OutputSpread.IsThatOfTheDerivatives, and a second output that turns round at the fitted values.
+Eigen::VectorXd Kinked(const Eigen::VectorXd& p) {
+  return Eigen::Vector2d(p[0] * p[0] * p[2], 1e4 * std::abs(p[0] - 20));
+}
+
+TEST(OutputSpread, AcceptsDerivativesThatDifferencesConfirm) {
+  int evaluations = 0;
+  const auto outputs = [&](const Eigen::VectorXd& p) -> Eigen::VectorXd {
+    ++evaluations;
+    return Eigen::VectorXd::Constant(1, p[0] * p[0] * p[2]);
+  };
+  EXPECT_TRUE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(800, 4000), outputs));
+  EXPECT_EQ(evaluations, 4);
+  EXPECT_TRUE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(800, 4100), outputs));
+}
+
+TEST(OutputSpread, RefusesDerivativesThatDifferencesDeny) {
+  const auto outputs = [](const Eigen::VectorXd& p) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Constant(1, p[0] * p[0] * p[2]);
+  };
+  EXPECT_FALSE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(800, 4500), outputs));
+  EXPECT_FALSE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(-800, 4000), outputs));
+  EXPECT_FALSE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(std::nan(""), 4000), outputs));
+  // One-sided at a kink.
+  Eigen::Matrix2d one_sided;
+  one_sided << 800, 4000, 2e5, 0;
+  EXPECT_FALSE(OutputDerivativesHold(Spread(), one_sided, Kinked));
+  EXPECT_FALSE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(800, 4000), [](const Eigen::VectorXd&) {
+    return Eigen::VectorXd();
+  }));
+}
+
+TEST(OutputSpread, SlopesAreThoseOfTheFitVariables) {
+  const Eigen::VectorXd slopes = JudgedSlopes(Spread());
+  EXPECT_EQ(slopes, Eigen::Vector2d(20, 10));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -59,5 +59,68 @@ TEST(NeededForce, FrictionIsNeededWhereItIsLeftOut) {
   EXPECT_LT((force - expected).norm(), 0.03 * expected.norm());
 }
 
+/// Largest difference of the slope from differences of the whole force, over the slope's size.
+double SlopeError(const CondensedModel& model, double frequency_Hz) {
+  const std::vector<double> shape(static_cast<std::size_t>(model.post_stiffness.cols()), 1);
+  constexpr double kAmplitude = 5e-3;
+  constexpr double kStep = 1e-6;
+  ContactCycle cycle(model, shape, {});
+  EXPECT_TRUE(cycle.Solve(frequency_Hz, kAmplitude));
+  const Eigen::Index n = model.mass.rows();
+  const Eigen::MatrixXcd motion = cycle.cycle().Coordinates(NeededForce::kHarmonics).leftCols(n);
+  NeededForce needed(model, shape);
+  const int samples = needed.SamplesFor(frequency_Hz, kAmplitude, motion);
+  const Eigen::MatrixXd slope = needed.Slope(frequency_Hz, kAmplitude, motion, samples, kStep).value();
+  const auto force = [&](Eigen::Index j, double step) {
+    Eigen::MatrixXcd moved = motion;
+    moved(1, j % n) += j < n ? std::complex<double>(step, 0) : std::complex<double>(0, step);
+    const Eigen::VectorXcd complex = needed.At(frequency_Hz, kAmplitude, moved, samples).value();
+    Eigen::VectorXd all(2 * n);
+    all << complex.real(), complex.imag();
+    return all;
+  };
+  double largest = 0;
+  for (Eigen::Index j = 0; j < 2 * n; ++j) {
+    const Eigen::VectorXd found = (force(j, kStep) - force(j, -kStep)) / (2 * kStep);
+    largest = std::max(largest, (slope.col(j) - found).norm() / found.norm());
+  }
+  return largest;
+}
+
+// Forward and central differences of 1e-6 in some 5e-3 m differ by 2e-4 of a law's curvature; the iteration leaves 1e-6
+// of the extension, which is 5e-3 of the step where a series spring takes part.
+TEST(NeededForce, SlopeIsThatOfTheWholeForce) {
+  for (const QuarterCar& car : {ThesisCar(), BilinearCar()})
+    for (const double frequency : {0.7, 6.0}) EXPECT_LT(SlopeError(ModelOf(Describe(car)), frequency), 1e-3);
+  for (const double frequency : {0.7, 6.0}) EXPECT_LT(SlopeError(ModelOf(Describe(SeriesCar())), frequency), 1e-2);
+  for (const char* name : {"landrover110_model1", "landrover110_model3"})
+    for (const double frequency : {0.7, 3.0, 12.0})
+      EXPECT_LT(SlopeError(ModelOf(ShippedVehicle(name)), frequency), 1e-2) << name << frequency;
+}
+
+// A knee of the mount and the dashpot behind it share a coordinate, so that one's force changes the other's.
+TEST(NeededForce, SlopeOfAHardeningMountToo) {
+  Vehicle car = Describe(SeriesCar());
+  ASSERT_TRUE(car.dampers.at(0).series.has_value());
+  car.dampers[0].series->cubic = {1e12};
+  EXPECT_LT(SlopeError(ModelOf(car), 6), 1e-2);
+}
+
+// The answer does not depend on where the iteration starts.
+TEST(NeededForce, StartsWhereAnotherOneEnded) {
+  const CondensedModel model = ModelOf(ShippedVehicle("landrover110_model3"));
+  const std::vector<double> shape(static_cast<std::size_t>(model.post_stiffness.cols()), 1);
+  ContactCycle cycle(model, shape, {});
+  ASSERT_TRUE(cycle.Solve(3, 5e-3));
+  const Eigen::MatrixXcd motion =
+      cycle.cycle().Coordinates(NeededForce::kHarmonics).leftCols(model.mass.rows());
+  NeededForce needed(model, shape);
+  const int samples = needed.SamplesFor(3, 5e-3, motion);
+  const Eigen::VectorXcd plain = needed.At(3, 5e-3, motion, samples).value();
+  const Eigen::VectorXcd started = needed.At(3, 5e-3, motion, samples, 1.1 * needed.Yielded()).value();
+  // The iteration's tolerance is 1e-6 of the extensions, whose elements' forces are several times inertia.
+  EXPECT_LT((started - plain).norm(), 1e-4 * model.mass.norm() * motion.row(1).norm() * 19 * 19);
+}
+
 }  // namespace
 }  // namespace fourpost
