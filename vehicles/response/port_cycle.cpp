@@ -125,7 +125,7 @@ bool PortCycle::Iterate(double tolerance, int most, const Deadline& deadline) {
 /// moves where friction does.
 PortCycle::Method PortCycle::FirstMethod() const {
   if (IsTouched()) return Newton();
-  return means_help_ && HasSteepFriction() && Newton() == Method::kAnderson ? Method::kAnderson : Method::kPlain;
+  return means_help_ && HasSteepFriction() ? Method::kAnderson : Method::kPlain;
 }
 
 /// Whether the plain iteration's steps answer friction with more than half of its change.
