@@ -9,6 +9,7 @@
 #include "analysis/measured_response/measured_response.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/choice/run_choice.h"
+#include "identify/plan/plan.h"
 #include "identify/run/fit_run.h"
 #include "identify/run/run_draws.h"
 #include "identify/run/run_suggestions.h"
@@ -282,6 +283,14 @@ struct ChooseCommand : RunChoiceRequest {
   bool json = false;
 };
 
+/// `fourpost plan RUN`
+struct PlanCommand : PlanRequest {
+  std::string time;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+  bool json = false;
+};
+
 /// `fourpost batch PLAN -o DIR`; what its values may be is known to the Python package that runs it.
 struct BatchCommand {
   std::filesystem::path plan;
@@ -329,6 +338,7 @@ int Run(const RankCommand& command);
 int Run(const DrawsCommand& command);
 int Run(const SuggestCommand& command);
 int Run(const ChooseCommand& command);
+int Run(const PlanCommand& command);
 int Run(const BatchCommand& command);
 
 }  // namespace fourpost

@@ -13,5 +13,6 @@ void AddOptions(CLI::App& subcommand, ModesCommand& command);
 void AddOptions(CLI::App& subcommand, KinematicsCommand& command);
 void AddOptions(CLI::App& subcommand, SettleCommand& command);
 void AddOptions(CLI::App& subcommand, PredictCommand& command);
+void AddOptions(CLI::App& subcommand, PlanCommand& command);
 
 }  // namespace fourpost

@@ -62,6 +62,7 @@ Program::Program() {
   AddDraws();
   AddSuggest();
   AddChoose();
+  AddPlan();
   AddBatch();
   AddCompletion();
   AddMan();
@@ -388,6 +389,14 @@ void Program::AddChoose() {
                   "Evaluations in parallel, without influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--json", choose_.json, "Print JSON instead of tables");
+}
+
+void Program::AddPlan() {
+  AddOptions(*Add("plan", "Which recordings to make next, and what is then known of each parameter",
+                  "  fourpost plan car.urdf --time 45min\n"
+                  "  fourpost plan run --rig rig.yaml -o plan",
+                  [this] { return Run(plan_); }),
+             plan_);
 }
 
 void Program::AddBatch() {

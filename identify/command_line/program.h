@@ -46,6 +46,7 @@ class Program {
   void AddDraws();
   void AddSuggest();
   void AddChoose();
+  void AddPlan();
   void AddBatch();
   void AddCompletion();
   void AddMan();
@@ -73,6 +74,7 @@ class Program {
   DrawsCommand draws_;
   SuggestCommand suggest_;
   ChooseCommand choose_;
+  PlanCommand plan_;
   BatchCommand batch_;
   std::string shell_;
   std::string topic_;

@@ -22,17 +22,18 @@ struct Mark {
   std::array<std::string_view, 2> keys;
 };
 
-constexpr std::array<Mark, 8> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
+constexpr std::array<Mark, 9> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
                                          {ResultKind::kPrediction, {"was_fitted", "channels"}},
                                          {ResultKind::kResponse, {"direction", "modes"}},
                                          {ResultKind::kModes, {"parameters", "modes"}},
                                          {ResultKind::kKinematics, {"parameters", "axles"}},
                                          {ResultKind::kResponse, {"recordings", "channels"}},
                                          {ResultKind::kRide, {"parameters", "rides"}},
-                                         {ResultKind::kChoice, {"lattice", "present"}}}};
+                                         {ResultKind::kChoice, {"lattice", "present"}},
+                                         {ResultKind::kPlan, {"planned_runs", "planned_parameters"}}}};
 
-constexpr std::array<std::string_view, 7> kCommands = {"fit",  "predict",    "modes", "response",
-                                                       "ride", "kinematics", "choose"};
+constexpr std::array<std::string_view, 8> kCommands = {"fit",  "predict",    "modes",  "response",
+                                                       "ride", "kinematics", "choose", "plan"};
 
 std::optional<ResultKind> KindOf(const nlohmann::json& result) {
   for (const Mark& mark : kMarks)

@@ -67,6 +67,40 @@ UniformSpline SweptSine::Signal() const {
   return {0, exact_step, std::move(heights)};
 }
 
+double SteppedSine::Duration() const {
+  double duration = 0;
+  for (const Dwell& dwell : dwells) duration += dwell.duration_s;
+  return duration;
+}
+
+UniformSpline SteppedSine::Signal() const {
+  double highest = 0;
+  for (const Dwell& dwell : dwells) {
+    RequirePositive("SteppedSine: frequency_Hz", dwell.frequency_Hz);
+    RequirePositive("SteppedSine: amplitude_m", dwell.amplitude_m);
+    RequireOption(dwell.duration_s * dwell.frequency_Hz >= 2, "SteppedSine: cycles",
+                  dwell.duration_s * dwell.frequency_Hz, "at least 2");
+    highest = std::max(highest, dwell.frequency_Hz);
+  }
+  const double duration = Duration();
+  RequirePositive("SteppedSine: duration_s", duration);
+  const double step = SineGrid::For(highest, duration).step_s;
+  const auto count = std::max<std::size_t>(static_cast<std::size_t>(std::ceil(duration / step)) + 1, 5);
+  const double exact_step = duration / static_cast<double>(count - 1);
+  std::vector<double> heights(count);
+  std::size_t at = 0;
+  double began = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double t = exact_step * static_cast<double>(k);
+    while (at + 1 < dwells.size() && t > began + dwells[at].duration_s) began += dwells[at++].duration_s;
+    const Dwell& dwell = dwells[at];
+    const double cycle = 1 / dwell.frequency_Hz;
+    heights[k] = dwell.amplitude_m * Fade(t - began, dwell.duration_s, cycle, cycle) *
+                 std::sin(2 * pi * dwell.frequency_Hz * (t - began));
+  }
+  return {0, exact_step, std::move(heights)};
+}
+
 UniformSpline SmoothStep::Signal() const {
   RequireOption(std::isfinite(height_m), "SmoothStep: height_m", height_m, "finite");
   RequirePositive("SmoothStep: rise_s", rise_s);

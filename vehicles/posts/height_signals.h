@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "analysis/signals/uniform_spline.h"
 
@@ -27,6 +28,20 @@ struct SweptSine {
   double AmplitudeAt(double frequency_Hz) const;
 
   /// Throws std::invalid_argument naming the field that is not positive and finite.
+  UniformSpline Signal() const;
+};
+
+/// Sines of one frequency after the other, each faded in and out over a cycle of its own, from rest to rest.
+struct SteppedSine {
+  struct Dwell {
+    double frequency_Hz = 0;
+    double amplitude_m = 0;
+    double duration_s = 0;
+  };
+  std::vector<Dwell> dwells;
+
+  double Duration() const;
+  /// Throws std::invalid_argument without a dwell, or for one that is not positive or shorter than two cycles.
   UniformSpline Signal() const;
 };
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with a file that says what a rig can measure, and what a plan needs a word about.
+namespace fourpost {
+
+inline const Finding kRigRunsNone{"rig-runs-none", Severity::kError, "'runs' must be a list of runs",
+                                  "write lines such as `- {mode: heave, band: [0.5 Hz, 30 Hz], amplitude: 8 mm}`"};
+inline const Finding kRigRunMode{"rig-run-mode", Severity::kError, "the posts of this vehicle cannot move in '{}'",
+                                 "write heave, pitch, roll, warp, or the shares of posts as in `FL=1,FR=-1`"};
+inline const Finding kRigRunBand{"rig-run-band", Severity::kError, "{} must be two rising frequencies up to 200 Hz",
+                                 "write `band: [0.5 Hz, 30 Hz]`"};
+inline const Finding kRigRunTwice{"rig-run-twice", Severity::kError, "'{}' is there twice",
+                                  "give one of them another `name`, or remove it"};
+inline const Finding kRigMeasurementParameter{"rig-measurement-parameter", Severity::kError,
+                                              "the plan has no parameter '{}' to measure{}"};
+inline const Finding kRigQuantity{"rig-quantity", Severity::kError,
+                                  "{} must be a number above zero with a unit of '{}', or a share in percent",
+                                  "write it as in `2 %`"};
+inline const Finding kRigSensor{"rig-sensor", Severity::kError, "the vehicle has no sensor '{}'{}"};
+inline const Finding kRigWanted{"rig-wanted", Severity::kError, "'want' names '{}', which is not determined here{}"};
+
+inline const Finding kPlanWithoutPosts{"plan-without-posts", Severity::kError,
+                                       "the vehicle has no fp:post and no sensor that a rig could read",
+                                       "add a post under each tyre and the sensors of the rig", Weight::kGrave};
+inline const Finding kPlanWithoutParameters{"plan-without-parameters", Severity::kError,
+                                            "there is no parameter to determine",
+                                            "give parameters a range, or name the folder of a fit"};
+inline const Finding kPlanNothingAffordable{"plan-nothing-affordable", Severity::kError,
+                                            "no run takes less than {}, the time that there is",
+                                            "allow more time, or give runs fewer frequencies or a narrower band"};
+inline const Finding kPlanRunWithoutMotion{"plan-run-without-motion", Severity::kWarning, "'{}' is left out: {}",
+                                           "choose smaller amplitudes or a narrower band"};
+inline const Finding kPlanNoiseAssumed{"plan-noise-assumed", Severity::kWarning,
+                                       "no noise is stated of {}; 1 % of each channel's largest amplitude is assumed",
+                                       "state under 'noise' by how much amplitudes differ from repeat to repeat"};
+inline const Finding kPlanWantMissed{"plan-want-missed", Severity::kWarning,
+                                     "{} cannot be known as well as wanted in {}: {} is reached",
+                                     "allow more time, more repeats, or other runs and measurements", Weight::kGrave};
+
+}  // namespace fourpost
