@@ -7,7 +7,7 @@ namespace fourpost {
 
 inline const Finding kRigRunsNone{"rig-runs-none", Severity::kError, "'runs' must be a list of runs",
                                   "write lines such as `- {mode: heave, band: [0.5 Hz, 30 Hz], amplitude: 8 mm}`"};
-inline const Finding kRigRunMode{"rig-run-mode", Severity::kError, "the posts of this vehicle cannot move in '{}'",
+inline const Finding kRigRunMode{"rig-run-mode", Severity::kError, "{} is '{}', in which the posts of this vehicle cannot move",
                                  "write heave, pitch, roll, warp, or the shares of posts as in `FL=1,FR=-1`"};
 inline const Finding kRigRunBand{"rig-run-band", Severity::kError, "{} must be two rising frequencies up to 200 Hz",
                                  "write `band: [0.5 Hz, 30 Hz]`"};
@@ -16,7 +16,7 @@ inline const Finding kRigRunTwice{"rig-run-twice", Severity::kError, "'{}' is th
 inline const Finding kRigMeasurementParameter{"rig-measurement-parameter", Severity::kError,
                                               "the plan has no parameter '{}' to measure{}"};
 inline const Finding kRigQuantity{"rig-quantity", Severity::kError,
-                                  "{} must be a number above zero with a unit of '{}', or a share in percent",
+                                  "{} must be a number above zero with a unit such as {}, or a share in percent",
                                   "write it as in `2 %`"};
 inline const Finding kRigSensor{"rig-sensor", Severity::kError, "the vehicle has no sensor '{}'{}"};
 inline const Finding kRigWanted{"rig-wanted", Severity::kError, "'want' names '{}', which is not determined here{}"};

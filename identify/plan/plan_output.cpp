@@ -91,15 +91,18 @@ std::string ParametersCsv(const Plan& plan) {
   return csv.text();
 }
 
-/// "heave, small" as "heave_small".
+/// "heave 10 mm 0.5 Hz .. 5 Hz" as "heave_10_mm_0.5_Hz_5_Hz".
 std::string AsFileName(const std::string& name) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string file;
-  for (const char c : name) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
-    if (is_plain) file += c;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool is_point = c == '.' && i + 1 < name.size() && is_digit(name[i + 1]);
+    if (is_letter || is_digit(c) || is_point) file += c;
     else if (!file.empty() && file.back() != '_') file += '_';
   }
-  return file;
+  return file.empty() ? "run" : file;
 }
 
 /// Heights of the posts in a run.

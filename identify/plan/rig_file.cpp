@@ -117,7 +117,7 @@ class RigReader {
     for (const std::string_view kind : kKinds) {
       const std::optional<double> noise = map.Quantity(kind, DimensionOf(kind), 0);
       if (!noise) continue;
-      if (!(*noise > 0)) map.FaultOf(kind, kRigQuantity, {std::string(kind)});
+      if (!(*noise > 0)) map.FaultOf(kind, kRigQuantity, {ScalarOf(map.Get(kind))});
       for (std::size_t s = 0; s < vehicle_.sensors.size(); ++s)
         if (KindOf(vehicle_.sensors[s].type) == kind) rig_.noise[s] = *noise;
     }

@@ -27,6 +27,26 @@ double FrequencyAbout(const UniformSpline& signal, double t) {
   return 1 / (next_zero(first + 2e-5) - first);
 }
 
+TEST(SteppedSine, DwellsWithItsAmplitudesFromRestToRest) {
+  const SteppedSine sines{.dwells = {{1, 0.01, 5}, {4, 0.002, 3}}};
+  EXPECT_EQ(sines.Duration(), 8);
+  const UniformSpline signal = sines.Signal();
+  EXPECT_NEAR(signal.end(), 8, 1e-12);
+  // In the middle of the dwells, a quarter of a cycle after a rising zero. Splines of 20 samples a cycle err by 3e-5.
+  EXPECT_NEAR(signal.At(2.25).value, 0.01, 1e-6);
+  EXPECT_NEAR(signal.At(5 + 1.0625).value, 0.002, 1e-6);
+  for (const double t : {0.0, 5.0, 8.0}) {
+    EXPECT_NEAR(signal.At(t).value, 0, 2e-5) << t;
+    EXPECT_NEAR(signal.At(t).slope, 0, 1e-3) << t;
+  }
+}
+
+TEST(SteppedSine, RefusesDwellsThatAreNone) {
+  EXPECT_THROW(SteppedSine{}.Signal(), std::invalid_argument);
+  EXPECT_THROW((SteppedSine{.dwells = {{1, 0.01, 1}}}.Signal()), std::invalid_argument);
+  EXPECT_THROW((SteppedSine{.dwells = {{1, 0, 5}}}.Signal()), std::invalid_argument);
+}
+
 TEST(SweptSine, GoesThroughItsFrequenciesEvenlyInOctaves) {
   const UniformSpline signal = Sweep().Signal();
   // Within a cycle the frequency rises by ln(60) / 20 s of itself times the period.
