@@ -394,7 +394,7 @@ void Program::AddChoose() {
 void Program::AddPlan() {
   AddOptions(*Add("plan", "Which recordings to make next, and what is then known of each parameter",
                   "  fourpost plan car.urdf --time 45min\n"
-                  "  fourpost plan run --rig rig.yaml -o plan",
+                  "  fourpost plan run --time 20min -o plan",
                   [this] { return Run(plan_); }),
              plan_);
 }
