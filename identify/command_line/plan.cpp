@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/json_text.h"
@@ -46,7 +47,9 @@ int Run(const PlanCommand& command) {
     if (!request.time_s) throw FaultyInput(faults);
   }
   if (!command.output.empty()) {
-    RequireInputsElsewhere({command.run / "vehicle.urdf", command.run, command.rig}, command.output);
+    std::vector<std::filesystem::path> inputs = {command.run / "vehicle.urdf", command.run};
+    if (!command.rig.empty()) inputs.push_back(command.rig);
+    RequireInputsElsewhere(inputs, command.output);
     RequireNoOtherResult(command.output, ResultKind::kPlan);
     OutputFolder{command.output};
   }
