@@ -7,7 +7,8 @@ namespace fourpost {
 
 inline const Finding kRigRunsNone{"rig-runs-none", Severity::kError, "'runs' must be a list of runs",
                                   "write lines such as `- {mode: heave, band: [0.5 Hz, 30 Hz], amplitude: 8 mm}`"};
-inline const Finding kRigRunMode{"rig-run-mode", Severity::kError, "{} is '{}', in which the posts of this vehicle cannot move",
+inline const Finding kRigRunMode{"rig-run-mode", Severity::kError,
+                                 "{} is '{}', in which the posts of this vehicle cannot move",
                                  "write heave, pitch, roll, warp, or the shares of posts as in `FL=1,FR=-1`"};
 inline const Finding kRigRunBand{"rig-run-band", Severity::kError, "{} must be two rising frequencies up to 200 Hz",
                                  "write `band: [0.5 Hz, 30 Hz]`"};
@@ -32,9 +33,10 @@ inline const Finding kPlanNothingAffordable{"plan-nothing-affordable", Severity:
                                             "allow more time, or give runs fewer frequencies or a narrower band"};
 inline const Finding kPlanRunWithoutMotion{"plan-run-without-motion", Severity::kWarning, "'{}' is left out: {}",
                                            "choose smaller amplitudes or a narrower band"};
-inline const Finding kPlanNoiseAssumed{"plan-noise-assumed", Severity::kWarning,
-                                       "no noise is stated of {}; 1 % of each channel's largest amplitude is assumed",
-                                       "state under 'noise' by how much amplitudes differ from repeat to repeat"};
+inline const Finding kPlanNoiseAssumed{
+    "plan-noise-assumed", Severity::kWarning,
+    "no noise is stated or recorded of {}; 1 % of each channel's largest amplitude is assumed",
+    "state under 'noise' by how much amplitudes differ from repeat to repeat"};
 inline const Finding kPlanWantMissed{"plan-want-missed", Severity::kWarning,
                                      "{} cannot be known as well as wanted in {}: {} is reached",
                                      "allow more time, more repeats, or other runs and measurements", Weight::kGrave};

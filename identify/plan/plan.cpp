@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <numbers>
 #include <stdexcept>
 #include <system_error>
 
@@ -14,6 +13,7 @@
 #include "analysis/text/text_table.h"
 #include "identify/experiments/fit_balance.h"
 #include "identify/plan/findings.h"
+#include "identify/plan/recorded_noise.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/run/run_spread.h"
 #include "identify/search/parallel.h"
@@ -75,12 +75,6 @@ Determined OfVehicle(const Vehicle& vehicle) {
   determined.slopes = Eigen::Map<const Eigen::VectorXd>(slopes.data(), std::ssize(slopes));
   determined.known = Eigen::Map<const Eigen::VectorXd>(known.data(), std::ssize(known)).asDiagonal();
   return determined;
-}
-
-/// Per unit of the reference post, accelerations per unit of its acceleration.
-double ReferenceOf(const Sensor& sensor, double frequency_Hz, double amplitude_m) {
-  const double w = 2 * std::numbers::pi * frequency_Hz;
-  return sensor.type == Sensor::Type::kAccelerometer ? w * w * amplitude_m : amplitude_m;
 }
 
 /// A run's answer and its derivatives at the present values.
@@ -226,6 +220,7 @@ class Planner {
       plan_.rig = *std::move(rig);
     }
     plan_.findings.Add(faults);
+    if (is_run) TakeRecordedNoise();
     if (request_.time_s) plan_.rig.time_s = *request_.time_s;
   }
 
@@ -258,6 +253,16 @@ class Planner {
       plan_.runs.push_back({.name = measurement.name, .time_s = measurement.time_s});
     }
     return possible;
+  }
+
+  /// Where none is stated. Sensors that the fit's recordings do not have are not there, unless the rig's file says so.
+  void TakeRecordedNoise() {
+    const std::vector<double> recorded = RecordedNoise(request_.run, plan_.vehicle);
+    const bool is_any = std::any_of(recorded.begin(), recorded.end(), [](double noise) { return !std::isnan(noise); });
+    for (std::size_t s = 0; s < recorded.size() && is_any && !plan_.rig.states_sensors; ++s)
+      plan_.rig.is_read[s] = !std::isnan(recorded[s]);
+    for (std::size_t s = 0; s < recorded.size(); ++s)
+      if (std::isnan(plan_.rig.noise[s])) plan_.rig.noise[s] = recorded[s];
   }
 
   void AssumeNoise(const Eigen::VectorXd& largest) {

@@ -97,6 +97,7 @@ class RigReader {
  private:
   void ReadSensors(const StrictMap& top) {
     if (!top.Has("sensors")) return;
+    rig_.states_sensors = true;
     std::fill(rig_.is_read.begin(), rig_.is_read.end(), false);
     for (const YAML::Node& node : top.Get("sensors")) {
       const std::string name = ScalarOf(node);

@@ -48,6 +48,7 @@ struct RigFile {
   std::vector<double> noise;
   /// By sensor: whether it is read.
   std::vector<bool> is_read;
+  bool states_sensors = false;
   /// What repeats do not average out: shares of a phasor along and across it, and of mean offsets [m].
   double gain_error = 0.01;
   double phase_error_rad = 0.0174533;
