@@ -23,14 +23,18 @@ LowPass::Section FirstOrder(double warped) {
   return {scale * warped, scale * warped, 0, scale * (warped - 1), 0};
 }
 
+/// What has decayed to this is nothing: numbers near the least that there are take a hundred times as long.
+double OrNothing(double value) { return std::abs(value) < 1e-200 ? 0 : value; }
+
 /// Direct form II transposed, after a signal that stood at `before` since ever.
 void ApplySection(const LowPass::Section& section, double before, std::span<double> signal) {
   double first = (1 - section.b0) * before;
   double second = (section.b2 - section.a2) * before;
   for (double& sample : signal) {
-    const double filtered = section.b0 * sample + first;
-    first = section.b1 * sample - section.a1 * filtered + second;
-    second = section.b2 * sample - section.a2 * filtered;
+    const double read = OrNothing(sample);
+    const double filtered = section.b0 * read + first;
+    first = OrNothing(section.b1 * read - section.a1 * filtered + second);
+    second = OrNothing(section.b2 * read - section.a2 * filtered);
     sample = filtered;
   }
 }
