@@ -1,6 +1,7 @@
 """Workers of a Dask scheduler: it places units, and replaces workers that die.
 
-What workers need is carried to them once, see dask_plant.py; a worker that can do none of the units leaves.
+What workers need is carried to them once, see dask_plant.py. While all workers can do the units, the scheduler gives
+them to any. From the first one on that cannot, units ask for the resource that the others have.
 """
 from __future__ import annotations
 
@@ -29,6 +30,10 @@ except ImportError:
     lacks = findings.LACKS_PACKAGE("distributed", sys.executable, "apt install python3-distributed")
     raise BatchError([lacks], USAGE) from None
 
+PASSED_BY = ("build", "files", "program")
+"""Kinds of trouble of which a worker may be one of another batch."""
+
+
 class DaskCrew:
     """address: of the scheduler, tcp://HOST:PORT, or its scheduler file."""
 
@@ -49,6 +54,8 @@ class DaskCrew:
             raise self._away(str(fault)) from None
         self._answers: queue.SimpleQueue[tuple[str, Any]] = queue.SimpleQueue()
         self._futures: dict[str, Any] = {}
+        self._asked: dict[str, tuple[Unit, dict[str, Any] | None]] = {}
+        self._is_mixed = False
         self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()
         self._sent = 0
         self.carries = files is not None
@@ -62,6 +69,7 @@ class DaskCrew:
             self._forget_killed_batches()
         self._plant = Plant(self._name, sources, place, files)
         self._set_up()
+        self._is_mixed = self._has_others()
 
     @property
     def dashboard(self) -> str:
@@ -85,6 +93,23 @@ class DaskCrew:
         with self._asking():
             if not self._client.run_on_scheduler(lambda name, dask_scheduler: name in dask_scheduler.worker_plugins, self._name):
                 self._client.register_worker_plugin(self._plant, self._name)
+
+    def _has_others(self) -> bool:
+        """Whether some workers cannot do the units; one that just joins is waited for."""
+        for _ in range(10):
+            able, workers = self._able()
+            if able == workers:
+                return False
+            time.sleep(0.1)
+        return True
+
+    def _able(self) -> tuple[int, int]:
+        """How many workers can do the units, and how many there are."""
+        with self._asking():
+            able, workers = self._client.run_on_scheduler(
+                lambda name, dask_scheduler: (sum(map(bool, dask_scheduler.resources.get(name, {}).values())),
+                                              len(dask_scheduler.workers)), self._name)
+        return int(able), int(workers)
 
     @contextlib.contextmanager
     def _asking(self) -> Iterator[None]:
@@ -114,11 +139,12 @@ class DaskCrew:
         # Names of Dask's own, as a key that was lost is asked for again.
         names = [f"{unit.kind}-{unit.key[:16]}-{self._sent + i}" for i, (unit, _) in enumerate(units)]
         self._sent += len(units)
+        needs = {self._name: 1} if self._is_mixed else None
         with self._asking():
             futures = self._client.map(dask_plant.work, [self._name] * len(units), [unit.to_dict() for unit, _ in units],
-                                       [fit for _, fit in units], key=names, pure=False, batch_size=1000)
-        for (unit, _), future in zip(units, futures):
-            self._futures[unit.key] = future
+                                       [fit for _, fit in units], key=names, pure=False, batch_size=1000, resources=needs)
+        for (unit, fit), future in zip(units, futures):
+            self._futures[unit.key], self._asked[unit.key] = future, (unit, fit)
             future.add_done_callback(lambda done, key=unit.key: self._answers.put((key, done)))
 
     def receive(self) -> tuple[str, Outcome | Trouble]:
@@ -131,10 +157,16 @@ class DaskCrew:
             if self._futures.get(key) is not future:
                 continue
             del self._futures[key]
+            asked = self._asked.pop(key)
             if future.status == "finished" and not self.carries and self._store.path(key).exists():
                 # What the worker says of it need not travel.
                 return key, ("paid", None)
-            return key, self._answer_of(future)
+            answer = self._answer_of(future)
+            if not isinstance(answer, Trouble) or answer.kind not in PASSED_BY:
+                return key, answer
+            # No attempt: it was given to a worker that has none of its own.
+            self._is_mixed = True
+            self.send([asked])
 
     def _answer_of(self, future: Any) -> Outcome | Trouble:
         try:
@@ -155,15 +187,16 @@ class DaskCrew:
         return Trouble("lost", f"it was {future.status}")
 
     def _check_is_there(self) -> None:
-        """Raises BatchError where the scheduler is gone, or no worker is there for a while."""
+        """Raises BatchError where the scheduler is gone, or no worker that can do the units is there for a while."""
         if self._client.status != "running":
             raise self._away("the connection is lost")
         self.warnings_so_far()
-        with self._asking():
-            workers = self._client.nthreads()
-        if workers:
+        if self._able()[0]:
+            if self._alone_since is not None and self._is_mixed:
+                self._send_again()
             self._alone_since = None
             return
+        self._set_up()
         if self._alone_since is None:
             self._alone_since = time.monotonic()
             print(f"waits for workers of {self.address}, {self.patience:.0f} s at the most", file=sys.stderr)
@@ -177,9 +210,20 @@ class DaskCrew:
             if isinstance(event, (list, tuple)) and len(event) == 3 and event[0] in LEAVES:
                 trouble = Trouble(*event)
                 self._refused.append(finding_of(trouble, self.build))
+                if trouble.kind in PASSED_BY:
+                    self._is_mixed = True
+                    continue
                 with self._asking():
                     self._client.run_on_scheduler(lambda name, dask_scheduler: dask_scheduler.close_worker(name), trouble.worker)
         return self._refused
+
+    def _send_again(self) -> None:
+        """Where no worker had the resource, the scheduler does not see that one has it now."""
+        units = list(self._asked.values())
+        futures, self._futures = list(self._futures.values()), {}
+        with self._asking():
+            self._client.cancel(futures)
+        self.send(units)
 
     def warnings(self) -> list[Finding]:
         found, self._refused = self.warnings_so_far(), []

@@ -15,7 +15,8 @@ from typing import Any, Mapping
 import distributed
 
 NAME = "fourpost-batch-"
-"""Of plug-ins; that of the client of a batch follows, so that several batches use a scheduler."""
+"""Of plug-ins, and of the resource of workers that can do the units; that of the client of a batch follows, so that
+several batches use a scheduler, also of several builds."""
 SETUP_S = 60
 """How long a unit waits for the plug-in of its batch."""
 NOT_SET_UP = ("failed", "the worker was not set up", "")
@@ -23,20 +24,26 @@ NOT_SET_UP = ("failed", "the worker was not set up", "")
 
 
 class Plant(distributed.WorkerPlugin):
-    """A workplace on a Dask worker. One that can do none of the units says why, and the batch sends it away: that of a
-    batch that was killed harms nobody."""
+    """A workplace on a Dask worker. One that can do the units has the resource of this name; another one says why, and
+    is passed by. One whose disk is full is sent away, as it can do those of no batch."""
 
     def __init__(self, name: str, sources: Mapping[str, str], of: tuple[str, str, str, str],
                  files: Mapping[str, bytes] | None):
         self.name, self.sources, self.of, self.files = name, sources, of, files
 
-    def setup(self, worker: Any) -> None:
+    async def setup(self, worker: Any) -> None:
         self.worker = worker
         self.trouble: tuple[str, ...] | None = None
         try:
             self.unpack(worker)
         except OSError as fault:
             self.leave(("disk", str(fault), worker.address))
+        if self.trouble is None:
+            await self.offer(worker.state.nthreads)
+
+    async def offer(self, units: int) -> None:
+        """So many at a time."""
+        await self.worker.set_resources(**{self.name: units})
 
     def unpack(self, worker: Any) -> None:
         """The package, under a name that no other build of it has here."""
@@ -55,14 +62,18 @@ class Plant(distributed.WorkerPlugin):
         except self.errors.Trouble as trouble:
             self.leave((trouble.kind, trouble.text, worker.address))
 
-    def teardown(self, worker: Any) -> None:
+    async def teardown(self, worker: Any) -> None:
         if hasattr(self, "place"):
             self.place.stop()
             self.place.close()
+        # One that closes perhaps because its scheduler is gone does not call it.
+        if worker.status.name == "running" and self.trouble is None:
+            await self.offer(0)
 
     def run(self, unit: dict[str, Any], fit: dict[str, Any] | None) -> tuple[Any, ...]:
         """("found" or "paid", bytes or nothing), or the three parts of a Trouble."""
-        if self.trouble is None:
+        answer = self.trouble
+        if answer is None:
             try:
                 return tuple(self.place.run(self.unit.of(unit), fit))
             except self.errors.Trouble as trouble:
@@ -70,9 +81,11 @@ class Plant(distributed.WorkerPlugin):
                 if trouble.kind not in self.errors.LEAVES:
                     return answer
                 self.leave(answer)
-        # What it was given meanwhile goes elsewhere when it is gone.
-        time.sleep(5)
-        return self.trouble or ()
+                self.worker.loop.add_callback(self.offer, 0)
+        if answer[0] == "disk":
+            # What it was given meanwhile goes elsewhere when it is gone.
+            time.sleep(5)
+        return answer
 
     def leave(self, trouble: tuple[str, ...]) -> None:
         if self.trouble is None:
