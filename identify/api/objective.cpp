@@ -119,7 +119,7 @@ Eigen::VectorXd Objective::Residuals(const Eigen::VectorXd& values) const {
   return Guarded([&] { return inner_->EvaluateOne(values).residuals; });
 }
 
-Eigen::MatrixXd Objective::Jacobian(const Eigen::VectorXd& values) const {
+Eigen::MatrixXd Objective::Jacobian(const Eigen::VectorXd& values, const std::function<bool()>& stop) const {
   return Guarded([&] {
     const Evaluation here = inner_->EvaluateOne(values);
     const FitVariables variables(inner_->problem.lattice);
@@ -130,9 +130,14 @@ Eigen::MatrixXd Objective::Jacobian(const Eigen::VectorXd& values) const {
       Refuse(kValueOutOfRange, {}, {outside.what()});
     }
     Archive archive(inner_->problem, 1);
-    const std::optional<Eigen::MatrixXd> jacobian =
-        DifferenceJacobian(archive, variables, x, here.residuals, inner_->refine.DifferenceStep(inner_->problem),
-                           inner_->refine.differences);
+    if (stop) archive.StopBatches(stop);
+    std::optional<Eigen::MatrixXd> jacobian;
+    try {
+      jacobian = DifferenceJacobian(archive, variables, x, here.residuals,
+                                    inner_->refine.DifferenceStep(inner_->problem), inner_->refine.differences);
+    } catch (const BatchStopped&) {
+      throw SimulationError(kCallStopped);
+    }
     if (!jacobian) throw SimulationError(kEvaluationFailed, {"beside them"});
     return Eigen::MatrixXd(*jacobian * variables.Slopes(values).cwiseInverse().asDiagonal());
   });

@@ -8,6 +8,7 @@
 #include "identify/api/findings.h"
 #include "identify/api/inside.h"
 #include "identify/api/responses.h"
+#include "identify/api/vectors.h"
 #include "vehicles/requests/post_shape.h"
 #include "vehicles/requests/solve_sweep.h"
 #include "vehicles/requests/sweep.h"
@@ -16,17 +17,12 @@
 namespace fourpost::api {
 namespace {
 
-Eigen::VectorXd Vector(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 ChannelResponse ChannelOf(const fourpost::ChannelResponse& channel) {
   return {.sensor = channel.name,
           .unit = channel.unit,
-          .frf = Eigen::Map<const Eigen::VectorXcd>(channel.response.data(),
-                                                    static_cast<Eigen::Index>(channel.response.size())),
-          .mean = Vector(channel.mean),
-          .second_harmonic = Vector(channel.second_harmonic)};
+          .frf = VectorOf(channel.response),
+          .mean = VectorOf(channel.mean),
+          .second_harmonic = VectorOf(channel.second_harmonic)};
 }
 
 /// Half a stroke is what the largest amplitude may take.

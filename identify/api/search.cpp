@@ -39,8 +39,8 @@ Minimum Minimise(const std::vector<Axis>& axes, const Residuals& residuals, cons
     Archive archive(ProblemOf(axes, residuals), options.threads);
     StopRules rules{.max_evaluations = options.evaluations};
     rules.target_cost = options.target;
-    const SearchResult result =
-        RunMethod(MethodPreset(options.method, archive.problem()), archive, options.seed, rules, {.count = 1});
+    const SearchResult result = RunMethod(MethodPreset(options.method, archive.problem()), archive, options.seed, rules,
+                                          {.count = 1}, {.stop = options.stop});
     if (result.candidates.empty()) throw SimulationError(kSearchAllFailed, {result.reason});
     return Minimum{.values = result.best().values,
                    .cost = result.best().cost,

@@ -48,6 +48,8 @@ void RequireFiniteIn(const SteppedSineTest& test) {
     RequireFinite(what, {reinterpret_cast<const double*>(measured.frf.data()),
                          2 * static_cast<std::size_t>(measured.frf.size())});
     RequireFinite("the mean of " + what, {measured.mean.data(), static_cast<std::size_t>(measured.mean.size())});
+    const Eigen::VectorXd& sd = measured.relative_sd_at;
+    RequireFinite("the deviation of " + what, {sd.data(), static_cast<std::size_t>(sd.size())});
   }
 }
 
@@ -70,18 +72,21 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
     RequireCount("channel '" + sensor + "' of '" + test.name + "'", measured.frf.size(), count);
     if (measured.mean.size() > 0)
       RequireCount("the mean of channel '" + sensor + "' of '" + test.name + "'", measured.mean.size(), count);
+    if (measured.relative_sd_at.size() > 0)
+      RequireCount("the deviation of channel '" + sensor + "' of '" + test.name + "'", measured.relative_sd_at.size(),
+                   count);
     const std::string unit = UnitOfSensor(vehicle, sensor);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::complex<double> value = measured.frf[static_cast<Eigen::Index>(i)];
+      const auto at = static_cast<Eigen::Index>(i);
+      const std::complex<double> value = measured.frf[at];
+      const double sd = measured.relative_sd_at.size() > 0 ? measured.relative_sd_at[at] : measured.relative_sd;
       const double amplitude = test.amplitude_m.size() == 1 ? test.amplitude_m.front() : test.amplitude_m[i];
       const double degrees = 180 / std::numbers::pi;
       for (const double number : {test.frequency_Hz[i], amplitude}) text += FormatNumber(number) + ',';
       text += sensor;
-      for (const double number : {std::abs(value), degrees * std::arg(value), measured.relative_sd * std::abs(value),
-                                  degrees * measured.relative_sd})
+      for (const double number : {std::abs(value), degrees * std::arg(value), sd * std::abs(value), degrees * sd})
         text += ',' + FormatNumber(number);
-      text += ',' + (measured.mean.size() > 0 ? FormatNumber(measured.mean[static_cast<Eigen::Index>(i)]) : "") + ',' +
-              unit + '\n';
+      text += ',' + (measured.mean.size() > 0 ? FormatNumber(measured.mean[at]) : "") + ',' + unit + '\n';
     }
   }
   return text;

@@ -9,7 +9,7 @@
 #include "identify/command_line/batch_findings.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/file_kind.h"
+#include "identify/inspection/file_kind.h"
 
 namespace fourpost {
 namespace {

@@ -10,12 +10,12 @@
 #include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/file_kind.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/work_progress.h"
+#include "identify/inspection/file_kind.h"
 #include "identify/study_file/warnings_json.h"
 
 namespace fourpost {

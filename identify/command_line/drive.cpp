@@ -9,8 +9,8 @@
 
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
-#include "identify/command_line/file_kind.h"
 #include "identify/command_line/findings.h"
+#include "identify/inspection/file_kind.h"
 #include "vehicles/posts/height_signals.h"
 #include "vehicles/posts/post_motions.h"
 #include "vehicles/posts/recorded_posts.h"

@@ -26,19 +26,6 @@ inline const Finding kOptionOfVehicle{"option-of-vehicle", Severity::kError,
 inline const Finding kPostChannelMalformed{"post-channel-malformed", Severity::kError,
                                            "'{}' does not name a channel and its post", "write it as CHANNEL=FL"};
 
-// Files that are given.
-
-inline const Finding kStudyForVehicle{"study-for-vehicle", Severity::kError, "this is a study, not a vehicle file",
-                                      "give the vehicle file (.urdf) that it names"};
-inline const Finding kVehicleForStudy{"vehicle-for-study", Severity::kError, "this is a vehicle file, not a study",
-                                      "give a study (.yaml), which names its vehicle and recordings"};
-inline const Finding kVehicleForRecording{"vehicle-for-recording", Severity::kError,
-                                          "this is a vehicle file, not a recording",
-                                          "see `fourpost check` and `fourpost params` for its contents"};
-inline const Finding kFolderForRecording{"folder-for-recording", Severity::kError, "this is a folder, not a recording",
-                                         "name the recordings in it; `fourpost report` shows what a fit wrote"};
-inline const Finding kFileOfOtherKind{"file-of-other-kind", Severity::kError, "this is {}", "give {}"};
-
 // Folders of fits.
 
 inline const Finding kRunNamedTwice{"run-named-twice", Severity::kError,
@@ -141,10 +128,6 @@ inline const Finding kRecordingEnds{"recording-ends", Severity::kWarning, "the r
 
 inline const Finding kValuesInconsistent{"values-inconsistent", Severity::kError,
                                          "these values cannot be combined ({})", "change one of them"};
-inline const Finding kUnstableInDesignPose{"unstable-in-design-pose", Severity::kWarning,
-                                           "the vehicle is unstable in its design pose: {}", "see `fourpost check`"};
-inline const Finding kModeGrows{"mode-grows", Severity::kWarning, "'{}' is unstable at {} = {}{}",
-                                "check the signs of rates and dampers with `fourpost check`"};
 inline const Finding kFrictionHolds{"friction-holds", Severity::kWarning,
                                     "fp:damper '{}' never slides in {}: its friction of {} holds, and its rates have "
                                     "no effect",

@@ -8,17 +8,17 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/file_kind.h"
 #include "identify/command_line/findings.h"
 #include "identify/command_line/modes_text.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/inspection/file_kind.h"
 #include "identify/run/result_kind.h"
-#include "vehicles/loops/design_kinematics.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/influence_files.h"
 #include "vehicles/requests/parameter_setting.h"
 #include "vehicles/requests/pole_files.h"
+#include "vehicles/ride/findings.h"
 #include "vehicles/ride/stability.h"
 
 namespace fourpost {
@@ -39,20 +39,6 @@ ModesJob ReadJob(const ModesCommand& command) {
   std::vector<ParameterRange> ranges = ReadParameterRanges(command.vary, *vehicle, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   return {std::move(*vehicle), std::move(ranges), std::move(findings)};
-}
-
-std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, const CondensedModel& model, Diagnostics& findings) {
-  const std::vector<double> values = vehicle.ParameterValues();
-  if (const std::optional<Growth> growth = GrowthOf(vehicle, model))
-    findings.Report(kUnstableInDesignPose, {vehicle.file}, {growth->Text()});
-  const Kinematics pose = DesignKinematics(vehicle);
-  const Suspension suspension = SuspensionOf(vehicle, pose, values);
-  std::vector<ShapedMode> shaped;
-  for (Mode& mode : NamedModes(vehicle, pose, suspension, model, values)) {
-    std::vector<BodyShape> shape = BodyShapes(suspension.bodies, mode);
-    shaped.push_back({std::move(mode), std::move(shape)});
-  }
-  return shaped;
 }
 
 std::vector<PolePaths> Trace(const ModesJob& job) {
@@ -114,7 +100,9 @@ int Run(const ModesCommand& command) {
     OutputFolder{command.output};
   }
   const CondensedModel model = CondensedAtValues(job.vehicle);
-  const std::vector<ShapedMode> modes = ModesOfVehicle(job.vehicle, model, job.findings);
+  if (const std::optional<Growth> growth = GrowthOf(job.vehicle, model))
+    job.findings.Report(kUnstableInDesignPose, {job.vehicle.file}, {growth->Text()});
+  const std::vector<ShapedMode> modes = ShapedModes(job.vehicle, model);
   const std::vector<PolePaths> paths = Trace(job);
   WarnOfGrowth(job.vehicle, paths, job.findings);
   Tell(job.findings);

@@ -7,7 +7,6 @@
 #include "identify/command_line/common_options.h"
 #include "identify/command_line/completion.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/file_kind.h"
 #include "identify/command_line/finding_list.h"
 #include "identify/command_line/findings.h"
 #include "identify/command_line/frf_options.h"
@@ -17,6 +16,7 @@
 #include "identify/command_line/ride_options.h"
 #include "identify/command_line/simulate_options.h"
 #include "identify/command_line/whole_number.h"
+#include "identify/inspection/file_kind.h"
 #include "identify/refine/search_method_list.h"
 #include "vehicles/templates/suspension_kind.h"
 

@@ -1,9 +1,9 @@
 #include <string>
 
 #include "identify/command_line/commands.h"
-#include "identify/command_line/file_kind.h"
 #include "identify/command_line/findings.h"
 #include "identify/command_line/responses.h"
+#include "identify/inspection/file_kind.h"
 
 namespace fourpost {
 namespace {

@@ -11,6 +11,7 @@
 #include "identify/command_line/findings.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/progress_line.h"
+#include "vehicles/ride/findings.h"
 #include "vehicles/ride/stability.h"
 
 namespace fourpost {

@@ -9,8 +9,8 @@
 
 namespace fourpost::api {
 
-// Arrays hold what most tests need. Second harmonics, a standard deviation of each value, channels that are means or
-// sums of others, delays of channels, and the costs `compromise` and `prediction` need a study file.
+// Arrays hold what most tests need. Second harmonics, phases whose deviation differs from that of gains, channels that
+// are means or sums of others, delays of channels, and the costs `compromise` and `prediction` need a study file.
 
 /// A measured response with its standard deviation, one value per frequency.
 struct MeasuredFrf {
@@ -21,6 +21,8 @@ struct MeasuredFrf {
   /// As ChannelResponse::mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
   /// from rebound.
   Eigen::VectorXd mean = {};
+  /// In place of `relative_sd`, one per frequency; empty: that counts for all.
+  Eigen::VectorXd relative_sd_at = {};
 };
 
 /// A stepped sine on posts.

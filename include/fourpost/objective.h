@@ -28,8 +28,8 @@ class Objective {
   /// Throws Error of kSimulation (code `evaluation-failed`) where the model has none at these values.
   Eigen::VectorXd Residuals(const Eigen::VectorXd& values) const;
   /// d residuals / d values, residuals x parameters, by the model itself or by central differences; within the ranges.
-  /// Throws as Residuals() does, and Error of kInput (code `value-out-of-range`).
-  Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values) const;
+  /// Throws as Residuals() does, and Error of kInput (code `value-out-of-range`). `stop` as below.
+  Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values, const std::function<bool()>& stop = {}) const;
 
   /// A row of residuals for each row of values; NaN where the model has none. `threads`, 0: one per processor; no
   /// influence on the result. `stop`: asked by one thread at a time; true ends by Error of kSimulation.

@@ -29,6 +29,8 @@ struct SearchOptions {
   std::optional<double> target = {};
   /// 0: one per processor. No influence on the result.
   int threads = 1;
+  /// True ends the search with what it has; asked before each batch of evaluations, from the calling thread.
+  std::function<bool()> stop = {};
 };
 
 struct Minimum {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <pybind11/complex.h>
 #include <pybind11/eigen.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -29,6 +30,8 @@ void BindErrors(py::module_& module);
 void BindVehicle(py::module_& module);
 void BindResponse(py::module_& module);
 void BindSimulate(py::module_& module);
+void BindModes(py::module_& module);
+void BindInspection(py::module_& module);
 void BindStudy(py::module_& module);
 void BindFit(py::module_& module);
 void BindRun(py::module_& module);

@@ -22,6 +22,8 @@ PYBIND11_MODULE(_core, module) {
   python::BindVehicle(module);
   python::BindResponse(module);
   python::BindSimulate(module);
+  python::BindModes(module);
+  python::BindInspection(module);
   python::BindStudy(module);
   python::BindFit(module);
   python::BindRun(module);

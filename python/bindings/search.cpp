@@ -14,8 +14,8 @@ py::tuple Minimise(const std::vector<Axis>& axes, const py::function& residuals,
   std::vector<api::Axis> own;
   for (const auto& [name, lower, upper, precision, is_discrete] : axes)
     own.push_back({name, lower, upper, precision, is_discrete});
-  const api::SearchOptions options{method, seed, evaluations, target, 1};
   const api::Minimum minimum = Computed([&](const Stop& stop) {
+    const api::SearchOptions options{method, seed, evaluations, target, 1, stop};
     const auto call = [&](const Eigen::VectorXd& values) -> Eigen::VectorXd {
       if (stop()) throw std::runtime_error("interrupted");
       const py::gil_scoped_acquire locked;

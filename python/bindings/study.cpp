@@ -9,15 +9,16 @@ namespace fourpost::python {
 namespace {
 
 using Columns = std::map<std::string, Eigen::VectorXd>;
-/// Response, relative standard deviation, mean.
-using Measured = std::tuple<Eigen::VectorXcd, double, Eigen::VectorXd>;
+/// Response, relative standard deviation at each frequency, mean.
+using Measured = std::tuple<Eigen::VectorXcd, Eigen::VectorXd, Eigen::VectorXd>;
 
 void AddSine(api::Study& study, const std::string& name, const std::string& posts,
              const std::vector<double>& frequency_Hz, const std::vector<double>& amplitude_m,
              const std::map<std::string, Measured>& channels) {
   api::SteppedSineTest test{.name = name, .posts = posts, .frequency_Hz = frequency_Hz, .amplitude_m = amplitude_m};
   for (const auto& [sensor, measured] : channels)
-    test.channels[sensor] = {std::get<0>(measured), std::get<1>(measured), std::get<2>(measured)};
+    test.channels[sensor] = {
+        .frf = std::get<0>(measured), .mean = std::get<2>(measured), .relative_sd_at = std::get<1>(measured)};
   study.Add(std::move(test));
 }
 
@@ -55,7 +56,10 @@ void BindObjective(py::module_& module) {
                              [](const api::Objective& objective) { return ParametersOf(objective.parameters()); })
       .def_property_readonly("count", &api::Objective::residual_count)
       .def("residuals", &api::Objective::Residuals, py::call_guard<py::gil_scoped_release>())
-      .def("jacobian", &api::Objective::Jacobian, py::call_guard<py::gil_scoped_release>())
+      .def("jacobian",
+           [](const api::Objective& objective, const Eigen::VectorXd& values) {
+             return Computed([&](const Stop& stop) { return objective.Jacobian(values, stop); });
+           })
       .def("residuals_at",
            [](const api::Objective& objective, const Eigen::MatrixXd& values, int threads) {
              return Computed([&](const Stop& stop) { return objective.ResidualsAt(values, threads, stop); });

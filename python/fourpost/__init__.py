@@ -5,6 +5,8 @@ their names in the vehicle file. docs/python.md is a guide.
 """
 from ._core import version as _version
 from .errors import Error, Finding, InputError, InputWarning, OutputError, SimulationError
+from .inspection import FrfMeasurement, Info, MeasuredPattern, frf, info
+from .modes import Modes, StateSpace
 from .response import History, Response, Responses
 from .run import Choice, Prediction, Progress, Run, choose, fit, read_run
 from .search import Axis, Minimum, minimise
@@ -15,8 +17,8 @@ from .vehicle import Vehicle, load
 __version__ = _version()
 
 __all__ = [
-    "Axis", "Bench", "Choice", "Error", "Finding", "History", "InputError", "InputWarning", "Measured", "Minimum",
-    "ModelError", "Objective", "OutputError", "Prediction", "Progress", "Response", "Responses", "Run",
-    "SimulationError", "SteppedSine", "Study", "TimeHistory", "Vehicle", "choose", "fit", "in_unit", "load", "minimise",
-    "read_run", "to_si",
+    "Axis", "Bench", "Choice", "Error", "Finding", "FrfMeasurement", "History", "Info", "InputError", "InputWarning",
+    "Measured", "MeasuredPattern", "Minimum", "ModelError", "Modes", "Objective", "OutputError", "Prediction", "Progress",
+    "Response", "Responses", "Run", "SimulationError", "StateSpace", "SteppedSine", "Study", "TimeHistory", "Vehicle",
+    "choose", "fit", "frf", "in_unit", "info", "load", "minimise", "read_run", "to_si",
 ]

@@ -14,7 +14,8 @@ from typing import Any, Callable, Mapping
 import pandas as pd
 
 from . import _arrays, _core, _html
-from .errors import Error, Finding, refuse
+from .errors import Finding, refuse
+from .inspection import recorded
 from .study import Study
 from .vehicle import Path, Vehicle, load
 
@@ -179,19 +180,10 @@ class Run:
         posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.
         output: a folder for the curves.
         """
-        with tempfile.TemporaryDirectory() as scratch:
-            file = recording
-            if isinstance(recording, pd.DataFrame):
-                file = os.path.join(scratch, "recording.csv")
-                recording, units = _with_posts(recording, units or {}, self.folder)
-                _write_recording(recording, units, file)
-            try:
-                text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
-                                               os.fspath(output or ""))
-            except Error as error:
-                if isinstance(recording, pd.DataFrame):
-                    raise _about_frame(error, recording, units or {}, os.fspath(file)) from None
-                raise
+        if isinstance(recording, pd.DataFrame):
+            recording, units = _with_posts(recording, units or {}, self.folder)
+        with recorded(recording, units, _HINT) as file:
+            text, warnings = _core.predict(os.fspath(self.folder), file, engine, posts, os.fspath(output or ""))
         return Prediction(json.loads(text), warnings)
 
     def __repr__(self) -> str:
@@ -214,23 +206,8 @@ def _with_posts(frame: pd.DataFrame, units: Mapping[str, str], folder: Path) -> 
     return frame.rename(columns=names), {**posts, **units}
 
 
-def _about_frame(error: Error, frame: pd.DataFrame, units: Mapping[str, str], file: str) -> Error:
-    """The error of the file that a frame was written to, as one of the frame: with its columns in place of lines."""
-    findings = [finding._replace(file="the frame", line=0) if finding.file == file else finding
-                for finding in error.findings]
-    columns = ", ".join(f"{name} [{units.get(str(name), 'no unit')}]" for name in frame)
-    hint = (f"the frame has the columns {columns}; a run of arrays expects post_NAME of each post and the names of the "
-            "sensors, a run of a study the channels that it names, each with its unit in `units`")
-    message = "\n".join(str(finding) for finding in findings) or str(error).replace(file, "the frame")
-    return type(error)(f"{message}\n{hint}", findings)
-
-
-def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -> None:
-    """Names, units, numbers."""
-    table = frame.rename_axis("time").reset_index()
-    of_columns = {"time": "s", **units}
-    table.columns = pd.MultiIndex.from_tuples([(name, of_columns.get(str(name), "")) for name in table])
-    table.to_csv(file, index=False)
+_HINT = ("a run of arrays expects post_NAME of each post and the names of the sensors, a run of a study the channels that it "
+         "names, each with its unit in `units`")
 
 
 def read_run(folder: Path) -> Run:

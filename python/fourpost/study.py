@@ -21,8 +21,8 @@ class Measured:
 
     frf: npt.ArrayLike
     """F, complex, SI, as Response.frf."""
-    relative_sd: float = 0.01
-    """Relative to the gain; the phase's is the same in radians."""
+    relative_sd: npt.ArrayLike = 0.01
+    """Standard deviation relative to the gain, F or one for all; the phase's is the same in radians."""
     mean: npt.ArrayLike = ()
     """F, SI, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
     from rebound."""
@@ -151,12 +151,15 @@ class Study:
         return Objective(self)
 
 
-def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.complex128], float, Floats]:
+def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.complex128], Floats, Floats]:
     measured = one if isinstance(one, Measured) else Measured(one)
     frf = np.atleast_1d(np.asarray(measured.frf, dtype=complex))
     if frf.ndim != 1:
         raise refuse("table-shape", f"channel '{name}' has {frf.ndim} dimensions: give one value per frequency")
-    return frf, float(measured.relative_sd), _arrays.vector(f"the mean of '{name}'", measured.mean)
+    sd = _arrays.vector(f"relative_sd of '{name}'", measured.relative_sd)
+    if sd.size == 1:
+        sd = np.full(frf.shape, sd[0])
+    return frf, sd, _arrays.vector(f"the mean of '{name}'", measured.mean)
 
 
 class Objective:

@@ -11,6 +11,7 @@ import pandas as pd
 from . import _arrays, _core, _html
 from ._arrays import Floats, Quantity, Values
 from .errors import Finding, refuse
+from .modes import Modes, modes_of
 from .response import History, Response, Responses
 
 Path = str | os.PathLike[str]
@@ -136,6 +137,32 @@ class Vehicle:
         time = pd.Index(start + np.arange(count) / hertz, name="time")
         frame = pd.DataFrame({name: readings[name] for name in car.sensors}, index=time)
         return History(frame, hertz, car.sensors, by, change, error)
+
+    def modes(self, **values: Quantity) -> Modes:
+        """Modes about static equilibrium with poles, damping ratios, shapes and shares of energy, and the state space, as
+        `fourpost modes`.
+
+        values: of parameters, as in `at`.
+
+        Warnings are those of Python. Raises InputError, and SimulationError where the vehicle has no equilibrium.
+        """
+        rows, space, warnings = _core.find_modes(self.at(values)._core)
+        _arrays.warn(warnings)
+        return modes_of(rows, space, warnings)
+
+    def poles(self, parameter: str, values: npt.ArrayLike, **others: Quantity) -> pd.DataFrame:
+        """The poles while a parameter changes, followed outward from its value: n x poles, complex [1/s], a column per
+        pole by the name of its mode, on or above the real axis; NaN where it is the conjugate of another.
+
+        values: n numbers, SI.
+        others: values of other parameters, as in `at`.
+
+        Raises as `modes` does.
+        """
+        points = _arrays.vector("values", values)
+        paths = _core.follow_poles(self.at(others)._core, parameter, points)
+        columns = np.array([poles for _, poles in paths], dtype=complex).reshape(len(paths), len(points))
+        return pd.DataFrame(columns.T, index=pd.Index(points, name=parameter), columns=[mode for mode, _ in paths])
 
     def __repr__(self) -> str:
         return f"<fourpost.Vehicle '{self.name}': {len(self.parameters)} parameters, posts {', '.join(self.posts)}>"

@@ -7,16 +7,10 @@
 #include "vehicles/condensed/modes.h"
 #include "vehicles/condensed/state_space.h"
 #include "vehicles/description/vehicle.h"
-#include "vehicles/ride/named_modes.h"
 #include "vehicles/ride/pole_path.h"
+#include "vehicles/ride/shaped_modes.h"
 
 namespace fourpost {
-
-/// Modes of a vehicle and the motion of its bodies in each.
-struct ShapedMode {
-  Mode mode;
-  std::vector<BodyShape> shape;
-};
 
 /// The state space, modes with poles and shapes, paths of poles, the values of all parameters, `findings` and versions
 /// as JSON, in SI units; complex numbers are pairs.

@@ -1,11 +1,11 @@
-#include "identify/command_line/file_kind.h"
+#include "identify/inspection/file_kind.h"
 
 #include <algorithm>
 #include <cctype>
 #include <string>
 
 #include "analysis/text/diagnostics.h"
-#include "identify/command_line/findings.h"
+#include "identify/inspection/findings.h"
 
 namespace fourpost {
 namespace {
