@@ -144,8 +144,10 @@ class RunDrawer {
     const std::vector<PosteriorOptimum> optima = Optima(others, cost);
     const std::vector<Index>& judged = run_.parameters.judged;
     const Posterior posterior(optima, covariance_, variables_.lower()(judged), variables_.upper()(judged));
-    PosteriorDrawOptions options = {
-        .count = request_.count, .seed = request_.seed, .max_evaluations = request_.max_evaluations};
+    PosteriorDrawOptions options = {.count = request_.count,
+                                    .seed = request_.seed,
+                                    .max_evaluations = request_.max_evaluations,
+                                    .stop = hooks_.stop};
     if (!request_.noise_only) options.moved = run_.parameters.moved;
     const auto costs_of = [&](const std::vector<Eigen::VectorXd>& points) { return cost->Costs(points); };
     const PosteriorDraws draws =

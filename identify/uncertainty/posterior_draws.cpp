@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "identify/search/archive.h"
+
 namespace fourpost {
 namespace {
 
@@ -11,8 +13,10 @@ using Points = std::vector<Eigen::VectorXd>;
 
 Points NormalPoints(const Posterior& posterior, const PosteriorDrawOptions& options) {
   Points points;
-  for (std::size_t i = 0; i < options.count; ++i)
+  for (std::size_t i = 0; i < options.count; ++i) {
+    if (options.stop && options.stop()) throw BatchStopped();
     points.push_back(posterior.DrawNormal(options.seed, i, options.moved));
+  }
   return points;
 }
 

@@ -18,6 +18,8 @@ struct PosteriorDrawOptions {
   Eigen::VectorXd moved = {};
   /// Of the cost, at most, where it shapes the draws.
   std::int64_t max_evaluations = 20000;
+  /// True ends the draws by BatchStopped.
+  std::function<bool()> stop = {};
 };
 
 enum class DrawMethod { kNormal, kWeighted, kEnsemble };

@@ -14,7 +14,7 @@ import pandas as pd
 
 from . import _arrays, _core, _html
 from ._arrays import Complexes, Floats, Quantity
-from .errors import Error, Finding, refuse
+from .errors import Error, Finding, InputError, refuse
 from .study import Measured, SteppedSine
 from .units import to_si
 from .vehicle import Path
@@ -91,7 +91,7 @@ def info(recording: Path | pd.DataFrame, *, units: Mapping[str, str] | None = No
     """What a recording or a study holds, as `fourpost info`: channels with units, rate, gaps, spans, clipping, drift and
     noise at rest, and why a fit would refuse it; of a study which channels contradict the others.
 
-    recording: a file, or a frame over time [s].
+    recording: a file, or a frame of N samples over time [s].
     units: of each column of a frame.
 
     Warnings are those of Python. Raises InputError.
@@ -137,7 +137,7 @@ class MeasuredPattern:
     second_harmonic: Floats
     """C x F: amplitude, in `units`; NaN where it is not known."""
     coherence: Floats
-    """C x F, of sweeps and random motions; else NaN."""
+    """C x F, without unit, of sweeps and random motions; else NaN."""
 
     @property
     def channels(self) -> list[str]:
@@ -233,7 +233,7 @@ def frf(recordings: Path | pd.DataFrame | Sequence[Path], *, posts: Mapping[str,
     """Frequency responses of time histories of one motion, as `fourpost frf`: dwells of stepped sines, sweeps, random
     motions or multisines, with standard deviations.
 
-    recordings: a file, several of the same channels, or a frame over time [s].
+    recordings: a file, several of the same channels, or a frame of N samples over time [s].
     posts: channel of the displacement of each post, by the post's name: {"FL": "LVDT 1"}; default: channels named
         post_FL, FL and the like.
     reference: post that responses are relative to; default: the first that moves most.
@@ -250,12 +250,17 @@ def frf(recordings: Path | pd.DataFrame | Sequence[Path], *, posts: Mapping[str,
               for file, ahead in (beside or {}).items()]
     hertz = _arrays.vector("frequency", [] if frequency is None else frequency)
     options = (dict(posts or {}), reference, kind, low_pass, hertz, others, os.fspath(output or ""))
-    if isinstance(recordings, Sequence) and not isinstance(recordings, str):
-        found = _measured([os.fspath(file) for file in recordings], *options)
-    else:
-        with recorded(recordings, units) as file:
-            found = _measured([file], *options)
-            found = replace(found, warnings=_in_frame(found.warnings, recordings, file))
+    try:
+        if isinstance(recordings, Sequence) and not isinstance(recordings, str):
+            found = _measured([os.fspath(file) for file in recordings], *options)
+        else:
+            with recorded(recordings, units) as file:
+                found = _measured([file], *options)
+                found = replace(found, warnings=_in_frame(found.warnings, recordings, file))
+    except InputError as error:
+        if "response-posts-unknown" in error.ids and hasattr(error, "add_note"):
+            error.add_note("fourpost.frf: posts={\"FL\": CHANNEL, ...}")
+        raise
     _arrays.warn(found.warnings)
     return found
 

@@ -24,17 +24,17 @@ class StateSpace:
     sensors: list[str]
     """S, in the order of y, each in its SI unit."""
     a: Floats
-    """n x n"""
+    """n x n, SI."""
     b: Floats
-    """n x P"""
+    """n x P, SI."""
     c: Floats
-    """S x n"""
+    """S x n, SI."""
     d: Floats
-    """S x P"""
+    """S x P, SI."""
     d_rate: Floats
-    """S x P; not zero where a sensor feels how fast a post moves, as that of a tyre with damping does."""
+    """S x P, SI; not zero where a sensor feels how fast a post moves, as that of a tyre with damping does."""
     d_acceleration: Floats
-    """S x P"""
+    """S x P, SI."""
 
 
 @dataclass(frozen=True)
@@ -46,14 +46,14 @@ class Modes:
     damped_frequency_Hz, damping_ratio, rise_time_s, settling_time_s, pole [1/s], complex, of an overdamped mode the slow
     one. Frequency and damping ratio of free and diverging modes are 0, times NaN."""
     poles: list[Complexes]
-    """Of each mode, on and above the real axis [1/s]: two of an overdamped one."""
+    """A row per mode: on and above the real axis [1/s], two of an overdamped one."""
     energy: pd.DataFrame
-    """A row per mode, a column per motion ("heave", "pitch", ...): shares of the kinetic energy."""
+    """A row per mode, a column per motion ("heave", "pitch", ...): shares of the kinetic energy, without unit."""
     bodies: list[str]
     """B, names."""
     shapes: Complexes
-    """A mode x B x 6: motion of the centres of mass along x, y, z [m] and of the bodies about x, y, z [rad]; the largest
-    component of a mode is 1, rotations times the body's radius of gyration."""
+    """A row per mode, B x 6 each: motion of the centres of mass along x, y, z [m] and of the bodies about x, y, z [rad];
+    the largest component of a mode is 1, rotations times the body's radius of gyration."""
     state_space: StateSpace
     """Of the same equations."""
     warnings: list[Finding]
@@ -64,7 +64,8 @@ class Modes:
         return len(self.table)
 
     def shape(self, mode: str) -> pd.DataFrame:
-        """B x 6, complex: a row of `shapes`, of the first mode of that name. Raises InputError (`name-unknown`)."""
+        """A row per body, complex: x, y, z [m] and about x, y, z [rad], of the first mode of that name. Raises
+        InputError (`name-unknown`)."""
         names = list(self.table.index)
         if mode not in names:
             raise refuse("name-unknown", f"there is no mode '{mode}'; there are: {', '.join(names)}")

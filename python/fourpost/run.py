@@ -176,12 +176,12 @@ class Run:
 
         recording: a file, or a frame over time [s], a column for each channel that the study names, in `units`.
             Of a study of arrays: FL or post_FL, ... and the sensors.
-        units: of each column of a frame; posts of a study of arrays are in m unless stated.
+        units: of each column of a frame; columns with the name of a post are in m unless stated.
         posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.
         output: a folder for the curves.
         """
         if isinstance(recording, pd.DataFrame):
-            recording, units = _with_posts(recording, units or {}, self.folder)
+            recording, units = _with_posts(recording, units or {}, self)
         with recorded(recording, units, _HINT) as file:
             text, warnings = _core.predict(os.fspath(self.folder), file, engine, posts, os.fspath(output or ""))
         return Prediction(json.loads(text), warnings)
@@ -196,13 +196,13 @@ class Run:
                 _html.findings(self.warnings))
 
 
-def _with_posts(frame: pd.DataFrame, units: Mapping[str, str], folder: Path) -> tuple[pd.DataFrame, Mapping[str, str]]:
-    """Posts by their own names, FL, where the run's study of arrays has them as post_FL; these are in m."""
-    study = pathlib.Path(folder, "study.yaml")
+def _with_posts(frame: pd.DataFrame, units: Mapping[str, str], run: Run) -> tuple[pd.DataFrame, Mapping[str, str]]:
+    """Posts by their own names, FL, where the run's study of arrays has them as post_FL; all are in m."""
+    study = run.folder / "study.yaml"
     known = set(re.findall(r"\bpost_[\w.-]+", study.read_text())) if study.exists() else set()
     names = {name: f"post_{name}" for name in frame if f"post_{name}" in known and f"post_{name}" not in frame}
     units = {names.get(name, name): unit for name, unit in units.items()}
-    posts = {name: "m" for name in [*frame, *names.values()] if name in known}
+    posts = {name: "m" for name in [*frame, *names.values()] if name in known or name in run.vehicle.posts}
     return frame.rename(columns=names), {**posts, **units}
 
 

@@ -22,7 +22,7 @@ class Measured:
     frf: npt.ArrayLike
     """F, complex, SI, as Response.frf."""
     relative_sd: npt.ArrayLike = 0.01
-    """Standard deviation relative to the gain, F or one for all; the phase's is the same in radians."""
+    """Standard deviation, F or one for all: relative to the gain, without unit; the phase's is the same in radians."""
     mean: npt.ArrayLike = ()
     """F, SI, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
     from rebound."""

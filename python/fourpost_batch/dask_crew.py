@@ -91,7 +91,9 @@ class DaskCrew:
         """Gives workers what they need, unless they have it: units that run would end. Again, as another batch that begins
         while this client connects anew takes this batch for a killed one."""
         with self._asking():
-            if not self._client.run_on_scheduler(lambda name, dask_scheduler: name in dask_scheduler.worker_plugins, self._name):
+            is_there = self._client.run_on_scheduler(lambda name, dask_scheduler: name in dask_scheduler.worker_plugins,
+                                                     self._name)
+            if not is_there:
                 self._client.register_worker_plugin(self._plant, self._name)
 
     def _has_others(self) -> bool:
@@ -214,7 +216,8 @@ class DaskCrew:
                     self._is_mixed = True
                     continue
                 with self._asking():
-                    self._client.run_on_scheduler(lambda name, dask_scheduler: dask_scheduler.close_worker(name), trouble.worker)
+                    self._client.run_on_scheduler(lambda name, dask_scheduler: dask_scheduler.close_worker(name),
+                                                  trouble.worker)
         return self._refused
 
     def _send_again(self) -> None:

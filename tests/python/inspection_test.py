@@ -108,6 +108,11 @@ def test_recordings_become_experiments_of_a_study(car):
     # The bench's 0.01 of a response: what dwells that ran in leave.
     for name, value in truth.items():
         assert run.parameters.loc[name, "value"] == pytest.approx(value, rel=0.02), name
+    # Such a run predicts time histories, too, whose posts go by their names.
+    again = readings[["a_body", "s_strut", "F_tyre"]].assign(**{car.posts[0]: posts.iloc[:, 0]})
+    channels = run.predict(again, units=car.sensors).channels
+    # The same share, 0.02, of a parameter; its square.
+    assert (channels["nmse_percent"] < 100 * 0.02 ** 2).all()
     with pytest.raises(fp.InputError) as raised:
         one.sine(["pot 7"])
     assert raised.value.ids == ["name-unknown"]

@@ -26,8 +26,8 @@ def post_heights(car, seconds, rate=500):
 
 
 def of_history(car):
-    """Of a recording of an hour; the Jacobian by differences takes many of them."""
-    posts = post_heights(car, 3600)
+    """Of a recording of a quarter of an hour; the Jacobian by differences takes many of them."""
+    posts = post_heights(car, 900)
     noise = pd.DataFrame({"a_body": np.random.default_rng(1).standard_normal(len(posts))}, index=posts.index)
     return fp.Study(car, [fp.TimeHistory(posts, noise)], evaluations=10 ** 8)
 
@@ -57,7 +57,7 @@ def call_responses(car, run, folder):
 
 
 def call_simulate(car, run, folder):
-    posts = post_heights(car, 36000)
+    posts = post_heights(car, 3600)
     return lambda: car.simulate(posts, engine="full")
 
 

@@ -63,7 +63,8 @@ def test_an_unstable_car_is_warned_of(tmp_path):
     text = (SOURCE / "urdf/landrover110_linkage.urdf").read_text()
     tyre = '<fp:tyre name="front_tyre" link="front_axle" xyz="0.870 0 '
     assert f'{tyre}-0.075"' in text
-    (tmp_path / "car.urdf").write_text(text.replace(f'{tyre}-0.075"', f'{tyre}-15"').replace("../meshes", str(SOURCE / "meshes")))
+    text = text.replace(f'{tyre}-0.075"', f'{tyre}-15"').replace("../meshes", str(SOURCE / "meshes"))
+    (tmp_path / "car.urdf").write_text(text)
     with pytest.warns(fp.InputWarning, match="unstable-in-design-pose") as caught:
         modes = fp.load(tmp_path / "car.urdf").modes()
     assert caught[-1].filename == __file__
