@@ -49,7 +49,7 @@ void RequireFiniteIn(const SteppedSineTest& test) {
                          2 * static_cast<std::size_t>(measured.frf.size())});
     RequireFinite("the mean of " + what, {measured.mean.data(), static_cast<std::size_t>(measured.mean.size())});
     const Eigen::VectorXd& sd = measured.relative_sd_at;
-    RequireFinite("the deviation of " + what, {sd.data(), static_cast<std::size_t>(sd.size())});
+    RequireFinite("the standard deviation of " + what, {sd.data(), static_cast<std::size_t>(sd.size())});
   }
 }
 
@@ -73,8 +73,8 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
     if (measured.mean.size() > 0)
       RequireCount("the mean of channel '" + sensor + "' of '" + test.name + "'", measured.mean.size(), count);
     if (measured.relative_sd_at.size() > 0)
-      RequireCount("the deviation of channel '" + sensor + "' of '" + test.name + "'", measured.relative_sd_at.size(),
-                   count);
+      RequireCount("the standard deviation of channel '" + sensor + "' of '" + test.name + "'",
+                   measured.relative_sd_at.size(), count);
     const std::string unit = UnitOfSensor(vehicle, sensor);
     for (std::size_t i = 0; i < count; ++i) {
       const auto at = static_cast<Eigen::Index>(i);
