@@ -210,15 +210,21 @@ _HINT = ("a run of arrays expects post_NAME of each post and the names of the se
          "names, each with its unit in `units`")
 
 
+def _series(version: str) -> list[str]:
+    """Within which formats are alike: "1" of 1.2.3, "0", "2" of 0.2.1."""
+    numbers = version.split(".")
+    return numbers[:2] if numbers[0] == "0" else numbers[:1]
+
+
 def read_run(folder: Path) -> Run:
-    """The folder of a fit, also of one that was interrupted; a warning where it is of another major version of fourpost.
-    Raises InputError."""
+    """The folder of a fit, also of one that was interrupted; a warning where it is of another major version of fourpost, or
+    of another 0.x. Raises InputError."""
     file = pathlib.Path(folder, "result.json")
     if not file.exists():
         raise refuse("result-missing", f"there is no result.json in {os.fspath(folder)}: give the folder of a fit")
     run = Run(folder)
     of_run, own = str(run.result.get("versions", {}).get("fourpost", "an unknown version")), _core.version()
-    if of_run.partition(".")[0] != own.partition(".")[0]:
+    if _series(of_run) != _series(own):
         text = f"perhaps not understood, for it is of fourpost {of_run}, and this is {own}: fit again with this version"
         _arrays.warn([Finding("result-not-understood", "warning", str(file), 0, "", text)])
     return run

@@ -13,6 +13,7 @@ import pathlib
 import random
 import shutil
 import signal
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -51,7 +52,7 @@ class Trial:
     def content(self, output):
         folder = self.folder / output
         return {str(path.relative_to(folder)): path.read_bytes()
-                for path in [*folder.glob("units/*/*"), *folder.glob("*.csv")]}
+                for path in [*folder.glob("units/*/[!.]*"), *folder.glob("*.csv")]}
 
 
 def accounts(journal):
@@ -178,18 +179,23 @@ def main():
     return 0
 
 
+def alone(folder):
+    """What a unit takes without a batch: the median of 60 calls of its program, one after the other [s]."""
+    times = []
+    for _ in range(60):
+        begin = time.monotonic()
+        subprocess.run([STUB, "compare", "wait.yaml"], cwd=folder, capture_output=True, check=True)
+        times.append(time.monotonic() - begin)
+    return statistics.median(times)
+
+
 def efficiency(out, delay, workers):
-    """Of units that only wait, so that the processors of this machine do not count. A unit costs what a serial run pays
-    for it."""
+    """Of units that only wait, so that the processors of this machine do not count, against the program alone."""
     for count in workers:
         with tempfile.TemporaryDirectory() as temporary:
             units = int(8 / delay) * count
-            trial = Trial(pathlib.Path(temporary), STUB, WAITS % int(4 / delay), delay)
-            journal = trial.folder / "journal"
-            trial.run("timed", "--workers=1", environment={"FOURPOST_BATCH_JOURNAL": str(journal)})
-            paid, _, _, span = accounts(journal)
-            unit = span / paid
             trial = Trial(pathlib.Path(temporary), STUB, WAITS % units, delay)
+            unit = alone(trial.folder)
             trial.run("serial", "--workers=16")
             paid, twice, begun, span, seconds, equal = on_place(trial, count, f"on{count}")
             out.writerow(["wait", count, f"{unit:.4f}", units, f"{span:.2f}", f"{seconds:.2f}",

@@ -21,16 +21,17 @@ duration: 10 s
 """
 
 
-def test_a_run_of_another_major_version_is_said(run, tmp_path):
+def test_a_run_of_another_version_is_said(run, tmp_path):
     folder = shutil.copytree(run.folder, tmp_path / "run")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         fp.read_run(folder)
     text = (folder / "result.json").read_text()
-    (folder / "result.json").write_text(text.replace(f'"fourpost": "{fp.__version__}"', '"fourpost": "7.1.0"'))
-    with pytest.warns(fp.InputWarning, match="of fourpost 7.1.0, and this is ") as caught:
-        fp.read_run(folder)
-    assert caught[0].filename == __file__ and caught[0].message.finding.id == "result-not-understood"
+    for version in ("7.1.0", "0.1.9"):
+        (folder / "result.json").write_text(text.replace(f'"fourpost": "{fp.__version__}"', f'"fourpost": "{version}"'))
+        with pytest.warns(fp.InputWarning, match=f"of fourpost {version}, and this is ") as caught:
+            fp.read_run(folder)
+        assert caught[0].filename == __file__ and caught[0].message.finding.id == "result-not-understood"
 
 
 def test_the_notebook_of_how_to_runs(tmp_path, monkeypatch):
