@@ -141,9 +141,11 @@ class Writer {
     std::vector<std::string> channels;
     for (std::size_t i = 0; i < tests.size(); ++i) {
       const std::string file = FileOf("stepped_sine", i);
-      folder_.Add(file, SineCsv(vehicle_, tests[i]));
-      text_ += "  - name: " + Quoted(tests[i].name.empty() ? file : tests[i].name) + "\n    file: " + file +
-               "\n    posts: " + Posts(tests[i].posts) + '\n';
+      SteppedSineTest test = tests[i];
+      if (test.name.empty()) test.name = file;
+      folder_.Add(file, SineCsv(vehicle_, test));
+      text_ +=
+          "  - name: " + Quoted(test.name) + "\n    file: " + file + "\n    posts: " + Posts(tests[i].posts) + '\n';
       for (const auto& [sensor, measured] : tests[i].channels)
         if (std::find(channels.begin(), channels.end(), sensor) == channels.end()) channels.push_back(sensor);
     }

@@ -17,9 +17,18 @@ Quantity = Union[str, float]
 """A number in SI, or a text with a unit: "50 kN/m"."""
 
 
+def numbers_of(what: str, numbers: npt.ArrayLike, dtype: type = float) -> npt.NDArray[Any]:
+    """An array of any dimension; texts and rows of different lengths are refused."""
+    try:
+        return np.asarray(numbers, dtype=dtype)
+    except (TypeError, ValueError) as fault:
+        raise refuse("table-shape", f"{what} cannot be made an array of numbers ({fault}): give numbers in SI, rows of "
+                     "one length") from None
+
+
 def vector(what: str, numbers: npt.ArrayLike) -> Floats:
     """One dimension; a single number is one value."""
-    array: Floats = np.atleast_1d(np.asarray(numbers, dtype=float))
+    array: Floats = np.atleast_1d(numbers_of(what, numbers))
     if array.ndim != 1:
         raise refuse("table-shape", f"{what} has {array.ndim} dimensions: give one")
     return array
@@ -29,13 +38,13 @@ def table(values: Values, names: Sequence[str] | None) -> tuple[list[str], Float
     """Names of the columns and n x p numbers."""
     if isinstance(values, pd.DataFrame):
         names = [str(name) for name in values.columns] if names is None else names
-        values = values.to_numpy(dtype=float)
+        values = values.to_numpy()
     if names is None:
         raise refuse("table-shape", "an array does not say which parameters its columns are: name them by 'parameters'")
     twice = sorted({name for name in names if list(names).count(name) > 1})
     if twice:
         raise refuse("table-shape", f"values have more than one column for {', '.join(twice)}: leave one of each")
-    array = np.asarray(values, dtype=float)
+    array = numbers_of("values", values)
     if array.ndim != 2 or array.shape[1] != len(names):
         raise refuse("table-shape", f"values have the shape {array.shape}: give rows of {len(names)} parameters")
     return list(names), np.asfortranarray(array)
@@ -45,7 +54,7 @@ def series(what: str, columns: pd.DataFrame | Mapping[str, npt.ArrayLike],
            rate: float | None) -> tuple[dict[str, Floats], float]:
     """Columns by name and their rate [Hz], that of the index of a frame unless it is given."""
     if isinstance(columns, pd.DataFrame) and rate is None:
-        rate = _rate(what, np.asarray(columns.index, dtype=float))
+        rate = _rate(what, numbers_of(f"the index of {what}", columns.index))
     if rate is None:
         raise refuse("rate-not-positive", f"{what} have no time: give 'rate' in Hz, or a frame with seconds as index")
     return {str(name): vector(f"{what} '{name}'", column) for name, column in columns.items()}, float(rate)

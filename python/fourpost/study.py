@@ -153,7 +153,7 @@ class Study:
 
 def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.complex128], Floats, Floats]:
     measured = one if isinstance(one, Measured) else Measured(one)
-    frf = np.atleast_1d(np.asarray(measured.frf, dtype=complex))
+    frf = np.atleast_1d(_arrays.numbers_of(f"channel '{name}'", measured.frf, complex))
     if frf.ndim != 1:
         raise refuse("table-shape", f"channel '{name}' has {frf.ndim} dimensions: give one value per frequency")
     sd = _arrays.vector(f"relative_sd of '{name}'", measured.relative_sd)
@@ -194,7 +194,7 @@ class Objective:
 
         x: p values or n x p, SI.
         """
-        points = np.asarray(x, dtype=float)
+        points = _arrays.numbers_of("x", x)
         if points.ndim < 2:
             return self._core.residuals(_arrays.vector("x", points))
         return self._core.residuals_at(self._table(points), threads)
@@ -218,7 +218,7 @@ class Objective:
 
         x: p values or n x p, SI.
         """
-        points = np.asarray(x, dtype=float)
+        points = _arrays.numbers_of("x", x)
         if points.ndim < 2:
             return float(self._core.costs_at(self._table(_arrays.vector("x", points)[None]), 1)[0])
         return self._core.costs_at(self._table(points), threads)

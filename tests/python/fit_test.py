@@ -139,13 +139,17 @@ def test_ctrl_c_ends_a_fit_whose_results_are_kept(tmp_path):
     (fp.SteppedSine([1, 2], 0.01, {"a_body": [1, 2, 3]}), "arrays-unequal"),
     (fp.SteppedSine([1, 2], [0.01] * 3, {"a_body": [1, 2]}), "arrays-unequal"),
     (fp.SteppedSine([1, 2], 0.01, {"a_bodi": [1, 2]}), "name-unknown"),
+    (fp.SteppedSine([1, 2], 0.01, {"a_body": fp.Measured([1, 2], [0.01] * 3)}), "arrays-unequal"),
+    (fp.SteppedSine([1, 2], 0.01, {"a_body": ["one", "two"]}), "table-shape"),
+    (fp.SteppedSine([1, 2], 0.01, {"a_body": [[1, 2], [1]]}), "table-shape"),
+    (fp.TimeHistory({"post": ["high"] * 9}, {"a_body": [0.0] * 9}, rate=100), "table-shape"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": [1, np.nan]}), "number-not-finite"),
     (fp.TimeHistory({"post": [0.0] * 9}, {"a_body": [0.0] * 8}, rate=100), "arrays-unequal"),
     (fp.TimeHistory({"post": [0.0] * 8}, {"a_body": [0.0] * 7 + [np.inf]}, rate=100), "number-not-finite")])
 def test_wrong_arrays_are_refused_by_id(car, tmp_path, test, id):
     with pytest.raises(fp.InputError) as raised:
         fp.fit(fp.Study(car, [test]), tmp_path / "run")
-    assert raised.value.ids == [id]
+    assert raised.value.ids == [id] and "''" not in str(raised.value)
 
 
 def test_faults_of_a_study_have_their_lines(tmp_path):
