@@ -24,17 +24,18 @@ LowPass::Section FirstOrder(double warped) {
 }
 
 /// What has decayed to this is nothing: numbers near the least that there are take a hundred times as long.
-double OrNothing(double value) { return std::abs(value) < 1e-200 ? 0 : value; }
+constexpr double kNothing = 1e-200;
 
 /// Direct form II transposed, after a signal that stood at `before` since ever.
 void ApplySection(const LowPass::Section& section, double before, std::span<double> signal) {
   double first = (1 - section.b0) * before;
   double second = (section.b2 - section.a2) * before;
   for (double& sample : signal) {
-    const double read = OrNothing(sample);
+    const double read = std::abs(sample) < kNothing ? 0 : sample;
     const double filtered = section.b0 * read + first;
-    first = OrNothing(section.b1 * read - section.a1 * filtered + second);
-    second = OrNothing(section.b2 * read - section.a2 * filtered);
+    first = section.b1 * read - section.a1 * filtered + second;
+    second = section.b2 * read - section.a2 * filtered;
+    if (std::abs(first) < kNothing && std::abs(second) < kNothing) first = second = 0;
     sample = filtered;
   }
 }
