@@ -7,12 +7,12 @@
 #include "analysis/files/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/file_kind.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/options.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/work_progress.h"
+#include "identify/inspection/file_kind.h"
 #include "identify/run/result_kind.h"
 #include "vehicles/requests/option_quantity.h"
 
