@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,14 +40,27 @@ std::string InterruptedText(const GrownFit& grown) {
          "; the same command goes on there";
 }
 
+/// "without dry friction beside damper 'front'"
+std::string ChangeText(const GrowthStep& step) {
+  if (step.IsOfStudy()) return "nothing";
+  return (step.takes_back.empty() ? "" : "without ") + step.addition.words;
+}
+
+std::string KeptText(const GrowthPath& path, std::size_t place) {
+  const GrowthStep& step = path.steps[place];
+  if (!step.is_kept) return "no: " + step.reason;
+  const std::optional<std::size_t> by = path.TakenBackBy(place);
+  return by ? "taken back in step " + std::to_string(*by) : "yes";
+}
+
 /// The path of a fit that grew.
 std::string GrowthText(const GrownFit& grown) {
   TextTable table({"step", "added", "misfit", "change of BIC", "validation error, %", "kept", "folder"});
   for (std::size_t i = 0; i < grown.path.steps.size(); ++i) {
     const GrowthStep& step = grown.path.steps[i];
-    table.Add({std::to_string(grown.path.NumberOf(i)), step.added.empty() ? "nothing" : step.added,
-               IfKnown(step.misfit, 3), i == 0 ? "" : IfKnown(step.criterion, 4), IfKnown(step.validation_percent, 3),
-               step.is_kept ? "yes" : "no: " + step.reason, step.folder});
+    table.Add({std::to_string(grown.path.NumberOf(i)), ChangeText(step), IfKnown(step.misfit, 3),
+               i == 0 ? "" : IfKnown(step.criterion, 4), IfKnown(step.validation_percent, 3), KeptText(grown.path, i),
+               step.folder});
   }
   return (grown.path.steps.empty() ? "" : table.Format()) +
          (grown.is_interrupted ? "Growth was " + InterruptedText(grown) : "Growth ended: " + grown.path.end) + ".\n\n";

@@ -30,7 +30,7 @@ inline const Finding kFitInterrupted{"fit-interrupted", Severity::kWarning, "fit
                                      "the same command continues from its archive"};
 
 inline const Finding kGrowthInterrupted{"growth-interrupted", Severity::kWarning,
-                                        "growth was interrupted after step {} ({}), so more may be missing",
+                                        "growth was interrupted after step {} ({}); not done: {}",
                                         "the same command goes on there"};
 
 // What the fit explains.

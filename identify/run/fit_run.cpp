@@ -154,12 +154,6 @@ nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, cons
   return {{"tried", found->tried}, {"suggestions", list}, {"together", TogetherJson(*found)}};
 }
 
-/// What a fit that grew says of that.
-nlohmann::ordered_json GrownJson(const GrowthSummary& growth) {
-  return {
-      {"added", growth.added}, {"end", growth.end}, {"interrupted", growth.is_interrupted}, {"state", growth.state}};
-}
-
 /// One fit from its study to its folder.
 class Fitter {
  public:
@@ -340,7 +334,6 @@ class Fitter {
     if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
       ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
     Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
-    if (request_.growth && request_.growth->is_interrupted) AddInterrupted(*request_.growth, conclusions);
     results.json["missing"] = MissingJson(missing, loaded, fit);
     if (request_.growth) results.json["growth"] = GrownJson(*request_.growth);
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
@@ -357,11 +350,6 @@ class Fitter {
     output.Add("report.html", Page(loaded, fit, files));
     output.Commit();
     run.is_written = true;
-  }
-
-  static void AddInterrupted(const GrowthSummary& growth, Diagnostics& conclusions) {
-    const std::string last = growth.added.empty() ? "nothing added" : growth.added.back();
-    conclusions.Report(kGrowthInterrupted, {}, {std::to_string(growth.added.size()), last});
   }
 
   const FitRequest& request_;

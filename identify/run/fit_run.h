@@ -11,19 +11,9 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/fit/fit.h"
 #include "identify/run/fit_verdict.h"
+#include "identify/run/growth_summary.h"
 
 namespace fourpost {
-
-/// Of a fit that grew, see GrowFit(): what the results of its last one say of that.
-struct GrowthSummary {
-  /// What was added, in words and in order.
-  std::vector<std::string> added;
-  /// Why it added no more, or that it was interrupted.
-  std::string end;
-  bool is_interrupted = false;
-  /// Digest of all that it depends on.
-  std::string state;
-};
 
 /// A study to fit, and the folder of the results.
 struct FitRequest {

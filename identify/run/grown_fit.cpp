@@ -10,8 +10,11 @@
 
 #include "analysis/files/output_folder.h"
 #include "analysis/files/sha256.h"
+#include "identify/run/addition_round.h"
+#include "identify/run/growth_judgement.h"
 #include "identify/run/result_kind.h"
-#include "identify/run/run_suggestions.h"
+#include "identify/run/take_back.h"
+#include "identify/run/unfinished_growth.h"
 #include "identify/study/loaded_study.h"
 #include "identify/study/study_context.h"
 #include "identify/study_file/result_reader.h"
@@ -25,19 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTrace = "archive.sqlite";
-
-/// Of the channels of validation recordings.
-double ValidationPercent(const nlohmann::json& result) {
-  double squares = 0;
-  int count = 0;
-  for (const nlohmann::json& channel : ListAt(result, "validation")) {
-    const double percent = NumberAt(channel, "nmse_percent");
-    if (!std::isfinite(percent)) continue;
-    squares += percent / 100;
-    ++count;
-  }
-  return count > 0 ? 100 * std::sqrt(squares / count) : std::nan("");
-}
 
 /// Of all that decides how a fit grows; empty of a request that FitStudy() refuses.
 std::string StateOf(const FitRequest& request) {
@@ -56,26 +46,12 @@ std::string StateOf(const FitRequest& request) {
   return state.Hex();
 }
 
-/// Of these parameters.
-std::vector<std::string> AtBound(const FitResult& fit, const std::vector<std::string>& names) {
-  std::vector<std::string> found;
-  for (const FittedParameter& one : fit.parameters)
-    if (one.at_bound && std::find(names.begin(), names.end(), one.name) != names.end()) found.push_back(one.name);
-  return found;
-}
-
-void Judge(const GrowthStep& before, GrowthStep& step) {
-  constexpr double kWorse = 1.02;  // of its error; less is chance
-  if (!(step.criterion < 0)) step.reason = "the criterion does not fall";
-  else if (!step.at_bound.empty()) step.reason = "its " + step.at_bound.front() + " ends at a bound";
-  else if (step.validation_percent > kWorse * before.validation_percent)
-    step.reason = "validation recordings are predicted worse";
-  step.is_kept = step.reason.empty();
-}
-
 class Grower {
  public:
-  Grower(const FitRequest& request, const FitRunHooks& hooks) : request_(request), hooks_(hooks) {}
+  Grower(const FitRequest& request, const FitRunHooks& hooks)
+      : request_(request),
+        hooks_(hooks),
+        origin_{request.study, request.set, request.output, request.threads} {}
 
   GrownFit Run() {
     // Whatever stands in its way is found before any work.
@@ -83,19 +59,16 @@ class Grower {
     RequireNoOtherResult(request_.output, ResultKind::kFit);
     TakeUp();
     if (path_.steps.empty() && !FitAsItStands()) return End();
-    while (!path_.is_over && !hooks_.work.IsStopped()) Grow();
-    if (!path_.is_over) path_.end = "interrupted";
-    grown_.is_interrupted = !path_.is_over;
+    while (!path_.is_over && !hooks_.work.IsStopped()) path_.end.empty() ? Grow() : TakeBack();
     WritePath();
     grown_.folder = request_.output;
-    if (grown_.is_interrupted) hooks_.work.Note("interrupted: the results are those of the last step that was kept");
-    Finish();
+    CopyArchive();
+    if (!path_.is_over) Leave(path_.end.empty() ? "whether more is missing" : "what can be taken back");
+    else if (!FitOnceMore()) Leave("the last fit with a search");
     return End();
   }
 
  private:
-  static std::string FolderOf(std::size_t number) { return "steps/" + std::to_string(number); }
-
   GrownFit End() {
     grown_.path = std::move(path_);
     return std::move(grown_);
@@ -109,50 +82,50 @@ class Grower {
     path_.state = state;
     if (path_.steps.empty()) return;
     if (hooks_.begin) hooks_.begin();
-    const std::vector<std::string> added = path_.Added();
-    const std::string last = added.empty() ? "" : " (" + added.back() + ")";
+    const GrowthStep& last = path_.steps[path_.LastKept()];
+    const std::string what = last.IsOfStudy() ? "" : " (" + WordsOf(last.takes_back, last.addition) + ")";
     hooks_.work.Note(path_.is_over ? "growth had ended: " + path_.end
-                                   : "growth goes on after step " + std::to_string(added.size()) + last);
+                                   : "growth goes on after step " +
+                                         std::to_string(path_.NumberOf(path_.LastKept())) + what);
   }
 
   /// False where it has no result.
   bool FitAsItStands() {
     WritePath();
     hooks_.work.Note("step 0 of at most " + std::to_string(kMostAdditions) + ": the study as it stands");
-    GrowthStep first{.folder = FolderOf(0), .is_kept = true};
+    GrowthStep first{.folder = GrowthFolder(0), .is_kept = true};
     grown_.folder = request_.output / first.folder / "fit";
-    if (!Fit(request_.study, first)) {
-      path_.end = "interrupted";
+    if (!Fit(first)) {
       grown_.is_interrupted = hooks_.work.IsStopped();
       return false;
     }
-    path_.steps.push_back(first);
+    Keep(first);
     WritePath();
     return true;
   }
 
-  fs::path StudyOf(const GrowthStep& step) const {
-    return step.added.empty() ? request_.study : request_.output / step.folder / "study.yaml";
+  void Keep(const GrowthStep& step) {
+    path_.steps.push_back(step);
+    if (step.is_kept) kept_ = grown_.fit;
   }
 
-  /// Its file of the vehicle has the values that were set.
-  std::vector<std::string> SetOf(const GrowthStep& step) const {
-    return step.added.empty() ? request_.set : std::vector<std::string>();
+  /// "taking back dry friction beside damper 'front'"
+  static std::string WordsOf(const std::string& takes_back, const GrowthAddition& addition) {
+    return (takes_back.empty() ? "" : "taking back ") + addition.words;
   }
 
   FitRequest RequestOf(const GrowthStep& step) const {
     FitRequest request = request_;
-    request.study = StudyOf(step);
-    request.set = SetOf(step);
-    request.resume = request_.resume && step.added.empty();
-    request.from_file = !step.added.empty();
+    request.study = origin_.StudyOf(step);
+    request.set = origin_.SetOf(step);
+    request.resume = request_.resume && step.IsOfStudy();
+    request.from_file = !step.IsOfStudy();
     return request;
   }
 
   /// False where there is no result.
-  bool Fit(const fs::path& study, GrowthStep& step) {
+  bool Fit(GrowthStep& step) {
     FitRequest request = RequestOf(step);
-    request.study = study;
     request.output = request_.output / step.folder / "fit";
     request.profile.clear();
     request.name_missing = false;
@@ -164,9 +137,10 @@ class Grower {
     return true;
   }
 
+  /// What was added may still be taken back.
   void EndWith(const std::string& why) {
     path_.end = why;
-    path_.is_over = true;
+    path_.round.reset();
   }
 
   /// "step 3 of at most 12"
@@ -177,14 +151,31 @@ class Grower {
   /// Tries one addition, or finds out which there are.
   void Grow() {
     const GrowthStep& before = path_.steps[path_.LastKept()];
-    if (before.misfit <= 1) return EndWith("the stated errors explain the residuals");
+    if (before.misfit <= 1 && !HasValidation(before)) return EndWith("the stated errors explain the residuals");
     if (path_.Added().size() >= kMostAdditions)
-      return EndWith("the limit of " + std::to_string(kMostAdditions) + " additions was reached");
+      return EndWith(LimitWords());
     if (!path_.round) return LookForMore();
     if (path_.TriedOfRound() < path_.round->candidates.size()) return Try();
     if (KeepOneAtItsBound()) return;
     EndWith(path_.round->candidates.empty() ? "nothing more pays" : "no suggested addition improved the fit");
+    WritePath();
   }
+
+  /// What was taken early may have become worthless by what came after it.
+  void TakeBack() {
+    if (!path_.round) {
+      path_.round = FindTakeBacks(origin_, path_, hooks_.work);
+      if (path_.round) WritePath();
+    } else if (path_.TriedOfRound() < path_.round->candidates.size()) {
+      Try();
+      // There is room for others again.
+      if (!path_.round && path_.end == LimitWords()) path_.end.clear();
+    } else {
+      path_.is_over = true;
+    }
+  }
+
+  static std::string LimitWords() { return "the limit of " + std::to_string(kMostAdditions) + " additions was reached"; }
 
   /// An addition that the data push to the end of what it may be is not what they show, and stands back behind others;
   /// where there are none it is better than nothing.
@@ -202,6 +193,7 @@ class Grower {
     if (!best) return false;
     best->is_kept = true;
     best->reason.clear();
+    kept_ = {};
     // Those that were refused come before.
     std::rotate(path_.steps.begin() + (best - path_.steps.data()),
                 path_.steps.begin() + (best - path_.steps.data()) + 1, path_.steps.end());
@@ -212,84 +204,90 @@ class Grower {
 
   /// What was reached is not lost by what comes after it.
   void LookForMore() {
+    WorkHooks hooks = hooks_.work;
+    hooks.show = [this](const std::string& text) { hooks_.work.Show(StepWords() + ", " + text); };
     try {
-      path_.round = NextRound();
+      path_.round = FindAdditions(origin_, path_, hooks);
     } catch (const OutputError&) {
       throw;
     } catch (const std::exception& failure) {
       EndWith("what could be added cannot be looked for");
+      is_end_written_ = false;
       hooks_.work.Note(path_.end + ": " + failure.what());
-      // Not for good: the same command looks again.
-      return;
     }
     WritePath();
-  }
-
-  /// Nothing where the user stops it.
-  std::optional<GrowthRound> NextRound() const {
-    constexpr std::size_t kMostTries = 3;
-    const GrowthStep& before = path_.steps[path_.LastKept()];
-    WorkHooks hooks = hooks_.work;
-    hooks.show = [this](const std::string& text) { hooks_.work.Show(StepWords() + ", " + text); };
-    const RunSuggestions run = SuggestForRun({.run = request_.output / before.folder / "fit",
-                                              .study = StudyOf(before),
-                                              .set = SetOf(before),
-                                              .threads = request_.threads},
-                                             hooks);
-    const Suggestions& suggestions = run.suggestions;
-    if (suggestions.is_interrupted) return std::nullopt;
-    GrowthRound round{.residuals = suggestions.residuals, .additions = suggestions.tried};
-    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Worthwhile()); ++k) {
-      const SuggestedAddition& one = suggestions.list[k];
-      round.candidates.push_back({.added = one.addition.words,
-                                  .mechanism = one.addition.mechanism,
-                                  .elements = one.addition.elements,
-                                  .folder = FolderOf(path_.steps.size() + k),
-                                  .effective = one.effective,
-                                  .count = one.addition.count,
-                                  .parameters = one.addition.parameters});
-      WriteApplied(run, k + 1, request_.output / round.candidates.back().folder);
-    }
-    return round;
   }
 
   /// The next of the round.
   void Try() {
     const GrowthStep before = path_.steps[path_.LastKept()];
     const std::size_t place = path_.TriedOfRound();
-    const GrowthCandidate& one = path_.round->candidates[place];
-    GrowthStep step{.added = one.added, .mechanism = one.mechanism, .elements = one.elements, .folder = one.folder};
-    hooks_.work.Note(StepWords() + ", addition " + std::to_string(place + 1) + " of " +
-                     std::to_string(path_.round->candidates.size()) + ": " + step.added);
+    const GrowthCandidate one = path_.round->candidates[place];
+    GrowthStep step{.addition = one.addition,
+                    .takes_back = one.takes_back,
+                    .folder = one.folder,
+                    .effective = one.effective,
+                    .residuals = path_.round->residuals,
+                    .tried = path_.round->tried};
+    hooks_.work.Note(StepWords() + (one.takes_back.empty() ? ", addition " : ", ") + std::to_string(place + 1) + " of " +
+                     std::to_string(path_.round->candidates.size()) + ": " + WordsOf(one.takes_back, one.addition));
     if (!FitOrRefuse(step)) return;
-    constexpr int kMostWider = 2;
-    for (int round = 0; round < kMostWider && step.reason.empty() && Widen(step); ++round)
-      if (!FitOrRefuse(step)) return;
-    if (step.reason.empty()) {
-      step.at_bound = AtBound(grown_.fit.fit, one.parameters);
-      step.criterion = CriterionChange(before.cost, step.cost, path_.round->residuals, one.effective, one.count,
-                                       path_.round->additions);
+    if (step.reason.empty() && !one.takes_back.empty()) {
+      step.criterion = TakeBackChange(before, step.cost, one.addition.count);
+      Judge(before, step);
+    } else if (step.reason.empty()) {
+      if (!FitWider(step)) return;
+      step.at_bound = AtBound(grown_.fit.fit, one.addition.parameters);
+      step.criterion =
+          CriterionChange(before.cost, step.cost, step.residuals, step.effective, one.addition.count, step.tried);
       Judge(before, step);
     }
-    path_.steps.push_back(step);
+    Keep(step);
     if (step.is_kept) path_.round.reset();
     WritePath();
   }
 
-  /// Bounds of what was added are guesses, and no more than guesses hold a parameter at them. False where none does.
-  bool Widen(const GrowthStep& step) const {
+  /// Bounds of what was added are guesses, and no more than guesses hold a parameter at them. The step stays as it is
+  /// where wider ones bring nothing. False where the user stops it.
+  bool FitWider(GrowthStep& step) {
+    constexpr int kMostWider = 2;
+    const std::string folder = step.folder;
+    for (int round = 1; round <= kMostWider; ++round) {
+      GrowthStep wider = step;
+      wider.folder = folder + "_wider" + std::to_string(round);
+      FitRun narrow = grown_.fit;
+      try {
+        if (!Widen(step, wider.folder)) return true;
+        if (!Fit(wider) && hooks_.work.IsStopped()) return false;
+        if (wider.cost < step.cost && grown_.fit.is_written) {
+          step = wider;
+          continue;
+        }
+      } catch (const OutputError&) {
+        throw;
+      } catch (const std::exception& failure) {
+        hooks_.work.Note(std::string("it cannot be fitted within wider bounds: ") + failure.what());
+      }
+      grown_.fit = std::move(narrow);
+      return true;
+    }
+    return true;
+  }
+
+  /// Writes its study with wider bounds. False where no bound that holds a parameter is a guess.
+  bool Widen(const GrowthStep& step, const std::string& folder) const {
     std::vector<BoundReached> reached;
     for (const FittedParameter& one : grown_.fit.fit.parameters)
       if (one.at_bound) reached.push_back({one.name, std::string(one.BoundName())});
     if (reached.empty()) return false;
-    const LoadedStudy study = LoadSoundStudy(StudyOf(step));
+    const LoadedStudy study = LoadSoundStudy(origin_.StudyOf(step));
     // From where it came to, so that it ends no higher.
-    const std::string fitted =
-        VehicleTextWithValues(study.vehicle, grown_.fit.fit.values, request_.output / step.folder);
+    const std::string fitted = VehicleTextWithValues(study.vehicle, grown_.fit.fit.values, request_.output / folder);
     const std::optional<std::string> vehicle = WithWiderBounds(fitted, reached);
     if (!vehicle) return false;
-    OutputFolder output(request_.output / step.folder, "", "study.yaml");
+    OutputFolder output(request_.output / folder, "", "study.yaml");
     output.Add("vehicle.urdf", *vehicle);
+    // Beside the other, so that it names the same files.
     output.Add("study.yaml", study.study.text);
     output.Commit();
     return true;
@@ -298,7 +296,7 @@ class Grower {
   /// False where the user stops it.
   bool FitOrRefuse(GrowthStep& step) {
     try {
-      if (Fit(StudyOf(step), step)) return true;
+      if (Fit(step)) return true;
       if (hooks_.work.IsStopped()) return false;
       step.reason = "it cannot be fitted";
     } catch (const OutputError&) {
@@ -311,29 +309,37 @@ class Grower {
     return true;
   }
 
-  /// The last fit again, from the evaluations that it made, with a search: the steps went on from one point.
-  void Finish() {
+  /// One that is there has the last search, as far as it came, or another's evaluations.
+  void CopyArchive() const {
     const GrowthStep& last = path_.steps[path_.LastKept()];
-    // One that is there has this search, as far as it came, or another's evaluations.
     std::error_code failure;
     if (!fs::exists(request_.output / kTrace))
       fs::copy_file(request_.output / last.folder / "fit" / kTrace, request_.output / kTrace, failure);
-    FitRequest request = RequestOf(last);
-    request.growth = GrowthSummary{
-        .added = path_.Added(), .end = path_.end, .is_interrupted = grown_.is_interrupted, .state = path_.state};
-    if (!grown_.is_interrupted) {
-      request.only_whole = true;
-      hooks_.work.Note("the last step that was kept is fitted once more, with a search");
-      FitRequest searched = request;
-      searched.from_file = false;
-      // Its steps were not asked either.
-      searched.accept_unidentified = true;
-      grown_.fit = FitStudy(searched, hooks_);
-      if (grown_.fit.is_written || (hooks_.work.IsStopped() && HasThisResult())) return;
-    }
-    // Stopped before: what is written says so, and is no whole result.
-    grown_.is_interrupted = request.growth->is_interrupted = hooks_.work.IsStopped() || grown_.is_interrupted;
-    grown_.fit = FitStudy(AlreadyFitted(request), {.work = {.note = hooks_.work.note, .find = hooks_.work.find}});
+  }
+
+  /// The last fit again, from the evaluations that it made, with a search: the steps went on from one point. False where
+  /// the user stops it.
+  bool FitOnceMore() {
+    FitRequest request = RequestOf(path_.steps[path_.LastKept()]);
+    request.growth = SummaryOf(path_, "");
+    request.only_whole = true;
+    request.from_file = false;
+    // Its steps were not asked either.
+    request.accept_unidentified = true;
+    hooks_.work.Note("the last step that was kept is fitted once more, with a search");
+    grown_.fit = FitStudy(request, hooks_);
+    return grown_.fit.is_written;
+  }
+
+  /// Writes what was reached before the user's stop, at once.
+  void Leave(const std::string& not_done) {
+    grown_.is_interrupted = true;
+    // Better than that is what the same growth wrote when it had ended.
+    if (path_.is_over && HasThisResult()) return;
+    hooks_.work.Note("interrupted: the results are those of the last step that was kept; not done: " + not_done);
+    const GrowthStep& last = path_.steps[path_.LastKept()];
+    grown_.fit = WriteUnfinishedGrowth(request_.output / last.folder / "fit", request_.output,
+                                       SummaryOf(path_, not_done), std::move(kept_));
   }
 
   /// Whether the output holds the result of the same growth, ended.
@@ -344,24 +350,26 @@ class Grower {
     return growth.is_object() && TextAt(growth, "state") == path_.state && !growth.value("interrupted", true);
   }
 
-  /// What costs no evaluation, so that nothing stops it.
-  static FitRequest AlreadyFitted(FitRequest request) {
-    request.name_missing = false;
-    request.only_whole = false;
-    request.profile.clear();
-    return request;
-  }
-
   void WritePath() const {
     OutputFolder output(request_.output / "steps", "", "growth.json");
-    output.Add("growth.json", GrowthJson(path_));
+    GrowthPath path = path_;
+    // The same command tries again.
+    if (!is_end_written_) {
+      path.end.clear();
+      path.is_over = false;
+    }
+    output.Add("growth.json", GrowthJson(path));
     output.Commit();
   }
 
   const FitRequest& request_;
   const FitRunHooks& hooks_;
+  GrowthOrigin origin_;
   GrowthPath path_;
+  bool is_end_written_ = true;
   GrownFit grown_;
+  /// Of the last step that was kept; empty where an earlier run fitted it.
+  FitRun kept_;
 };
 
 }  // namespace

@@ -14,30 +14,52 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json StepJson(const GrowthStep& step) {
-  return {{"added", step.added},
-          {"mechanism", step.mechanism},
-          {"elements", step.elements},
-          {"folder", step.folder},
-          {"cost", NumberOrNull(step.cost)},
-          {"misfit", NumberOrNull(step.misfit)},
-          {"criterion_change", NumberOrNull(step.criterion)},
-          {"validation_percent", NumberOrNull(step.validation_percent)},
-          {"at_bound", step.at_bound},
-          {"kept", step.is_kept},
-          {"reason", step.reason}};
+Json AdditionJson(const GrowthAddition& addition) {
+  return {{"added", addition.words},         {"mechanism", addition.mechanism}, {"elements", addition.elements},
+          {"variant", addition.variant},     {"amount", addition.amount},       {"count", addition.count},
+          {"parameters", addition.parameters}};
 }
 
-/// Throws where it is not one.
-GrowthStep StepOf(const nlohmann::json& json) {
-  return {.added = json.at("added"),
+/// Throws where it is none.
+GrowthAddition AdditionOf(const nlohmann::json& json) {
+  return {.words = json.at("added"),
           .mechanism = json.at("mechanism"),
           .elements = json.at("elements"),
+          .variant = json.at("variant"),
+          .amount = json.at("amount"),
+          .count = json.at("count"),
+          .parameters = json.at("parameters")};
+}
+
+Json StepJson(const GrowthStep& step) {
+  Json json = AdditionJson(step.addition);
+  json.update({{"takes_back", step.takes_back},
+               {"folder", step.folder},
+               {"cost", NumberOrNull(step.cost)},
+               {"misfit", NumberOrNull(step.misfit)},
+               {"criterion_change", NumberOrNull(step.criterion)},
+               {"validation_percent", NumberOrNull(step.validation_percent)},
+               {"effective_residuals", step.effective},
+               {"residuals", step.residuals},
+               {"tried", step.tried},
+               {"at_bound", step.at_bound},
+               {"kept", step.is_kept},
+               {"reason", step.reason}});
+  return json;
+}
+
+/// Throws where it is none.
+GrowthStep StepOf(const nlohmann::json& json) {
+  return {.addition = AdditionOf(json),
+          .takes_back = json.at("takes_back"),
           .folder = json.at("folder"),
           .cost = NumberAt(json, "cost"),
           .misfit = NumberAt(json, "misfit"),
           .criterion = NumberAt(json, "criterion_change"),
           .validation_percent = NumberAt(json, "validation_percent"),
+          .effective = json.at("effective_residuals"),
+          .residuals = json.at("residuals"),
+          .tried = json.at("tried"),
           .at_bound = json.at("at_bound"),
           .is_kept = json.at("kept"),
           .reason = json.at("reason")};
@@ -46,28 +68,25 @@ GrowthStep StepOf(const nlohmann::json& json) {
 Json RoundJson(const std::optional<GrowthRound>& round) {
   if (!round) return nullptr;
   Json candidates = Json::array();
-  for (const GrowthCandidate& one : round->candidates)
-    candidates.push_back({{"added", one.added},
-                          {"mechanism", one.mechanism},
-                          {"elements", one.elements},
-                          {"folder", one.folder},
-                          {"effective_residuals", one.effective},
-                          {"count", one.count},
-                          {"parameters", one.parameters}});
-  return {{"residuals", round->residuals}, {"tried", round->additions}, {"candidates", candidates}};
+  for (const GrowthCandidate& one : round->candidates) {
+    Json json = AdditionJson(one.addition);
+    json.update({{"takes_back", one.takes_back}, {"folder", one.folder}, {"effective_residuals", one.effective}});
+    candidates.push_back(std::move(json));
+  }
+  return {{"residuals", round->residuals},
+          {"tried", round->tried},
+          {"first", round->first},
+          {"candidates", candidates}};
 }
 
 std::optional<GrowthRound> RoundOf(const nlohmann::json& json) {
   if (json.is_null()) return std::nullopt;
-  GrowthRound round{.residuals = json.at("residuals"), .additions = json.at("tried")};
+  GrowthRound round{.residuals = json.at("residuals"), .tried = json.at("tried"), .first = json.at("first")};
   for (const nlohmann::json& one : json.at("candidates"))
-    round.candidates.push_back({.added = one.at("added"),
-                                .mechanism = one.at("mechanism"),
-                                .elements = one.at("elements"),
+    round.candidates.push_back({.addition = AdditionOf(one),
+                                .takes_back = one.at("takes_back"),
                                 .folder = one.at("folder"),
-                                .effective = one.at("effective_residuals"),
-                                .count = one.at("count"),
-                                .parameters = one.at("parameters")});
+                                .effective = one.at("effective_residuals")});
   return round;
 }
 
@@ -102,11 +121,30 @@ std::size_t GrowthPath::NumberOf(std::size_t place) const {
                                                     [](const GrowthStep& step) { return step.is_kept; }));
 }
 
+std::vector<std::size_t> GrowthPath::Standing() const {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (steps[i].is_kept && !steps[i].IsOfStudy() && steps[i].takes_back.empty() && !TakenBackBy(i)) places.push_back(i);
+  return places;
+}
+
 std::vector<std::string> GrowthPath::Added() const {
   std::vector<std::string> words;
-  for (const GrowthStep& step : steps)
-    if (step.is_kept && !step.added.empty()) words.push_back(step.added);
+  for (const std::size_t place : Standing()) words.push_back(steps[place].addition.words);
   return words;
+}
+
+std::vector<std::string> GrowthPath::TakenBack() const {
+  std::vector<std::string> words;
+  for (const GrowthStep& step : steps)
+    if (step.is_kept && !step.takes_back.empty()) words.push_back(step.addition.words);
+  return words;
+}
+
+std::optional<std::size_t> GrowthPath::TakenBackBy(std::size_t place) const {
+  for (std::size_t i = place + 1; i < steps.size(); ++i)
+    if (steps[place].is_kept && steps[i].is_kept && steps[i].takes_back == steps[place].folder) return NumberOf(i);
+  return std::nullopt;
 }
 
 std::string GrowthJson(const GrowthPath& path) {
@@ -117,8 +155,29 @@ std::string GrowthJson(const GrowthPath& path) {
                        {"most_additions", kMostAdditions},
                        {"steps", steps},
                        {"round", RoundJson(path.round)},
+                       {"added", path.Added()},
+                       {"taken_back", path.TakenBack()},
                        {"end", path.end.empty() ? Json() : Json(path.end)},
                        {"over", path.is_over}});
+}
+
+Json GrowthStepsJson(const GrowthPath& path) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < path.steps.size(); ++i) {
+    const GrowthStep& step = path.steps[i];
+    const std::optional<std::size_t> by = path.TakenBackBy(i);
+    list.push_back({{"step", path.NumberOf(i)},
+                    {"change", step.takes_back.empty() ? "added" : "taken back"},
+                    {"what", step.addition.words},
+                    {"misfit", NumberOrNull(step.misfit)},
+                    {"criterion_change", NumberOrNull(step.criterion)},
+                    {"validation_percent", NumberOrNull(step.validation_percent)},
+                    {"kept", step.is_kept},
+                    {"taken_back_by", by ? Json(*by) : Json()},
+                    {"reason", step.reason},
+                    {"folder", step.folder}});
+  }
+  return list;
 }
 
 GrowthPath EarlierGrowth(const std::filesystem::path& output, const std::string& state) {
@@ -144,9 +203,9 @@ GrowthPath EarlierGrowth(const std::filesystem::path& output, const std::string&
   if (!is_whole) {
     path.steps.resize(path.LastKept() + 1);
     path.round.reset();
+    path.end.clear();
     path.is_over = false;
   }
-  if (!path.is_over) path.end.clear();
   return path;
 }
 

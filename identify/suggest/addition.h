@@ -32,6 +32,8 @@ struct Addition {
   double greatest = std::numeric_limits<double>::infinity();
   /// Numbers that it adds, for the criterion.
   int count = 1;
+  /// Which it is of all alternatives of the same key.
+  int variant = 0;
 
   /// Of alternatives for the same thing, such as knees at several speeds, the best stands for all.
   std::string Key() const {

@@ -16,11 +16,12 @@
 #include "identify/search/archive.h"
 #include "identify/search/parallel.h"
 #include "identify/study_file/study_edit.h"
-#include "identify/suggest/addition_source.h"
+#include "identify/suggest/addition_list.h"
 #include "identify/suggest/augmented_study.h"
 #include "identify/suggest/findings.h"
 #include "identify/suggest/joined_additions.h"
 #include "identify/suggest/score_test.h"
+#include "identify/suggest/vehicle_edit.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/tags/tag.h"
@@ -105,21 +106,7 @@ class Suggester {
   }
 
   std::vector<Trial> Trials() {
-    const AdditionSource source(study_.vehicle, objective_.AllParameters(values_));
-    std::vector<Addition> additions;
-    AddDamperAdditions(source, additions);
-    AddSpringAdditions(source, additions);
-    const Experiments& experiments = study_.study.experiments;
-    if (std::none_of(experiments.begin(), experiments.end(),
-                     [](const Experiment& one) { return one.IsOfSteadyMotions(); }))
-      AddHysteresisAdditions(source, additions);
-    AddTyreAdditions(source, additions);
-    AddBushAdditions(source, additions);
-    AddBodyAdditions(source, additions);
-    AddGuideAdditions(source, additions);
-    AddSideAdditions(source, additions);
-    AddHeldAdditions(source, study_.free, additions);
-    AddChannelAdditions(source, study_.study.text, additions);
+    std::vector<Addition> additions = AllAdditions(study_, objective_.AllParameters(values_));
     result_.tried = additions.size();
     std::vector<Trial> trials;
     trials.reserve(additions.size());

@@ -1,0 +1,64 @@
+#include "identify/run/addition_round.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "identify/run/growth_judgement.h"
+#include "identify/run/run_suggestions.h"
+#include "identify/suggest/score_test.h"
+
+namespace fourpost {
+namespace {
+
+/// Places of those that lower the criterion, the best first, but for what was taken back: it would come again.
+std::vector<std::size_t> WorthTrying(const Suggestions& suggestions, const GrowthRound& round,
+                                     const std::vector<std::string>& taken_back) {
+  std::vector<std::pair<double, std::size_t>> found;
+  for (std::size_t k = 0; k < suggestions.list.size(); ++k) {
+    const SuggestedAddition& one = suggestions.list[k];
+    const double change = CriterionChange(suggestions.cost, one.cost, round.residuals, one.effective,
+                                          one.addition.count, round.tried);
+    if (change < 0 && std::find(taken_back.begin(), taken_back.end(), one.addition.words) == taken_back.end())
+      found.emplace_back(change, k);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::size_t> places;
+  for (const auto& [change, place] : found) places.push_back(place);
+  return places;
+}
+
+}  // namespace
+
+std::optional<GrowthRound> FindAdditions(const GrowthOrigin& origin, const GrowthPath& path, const WorkHooks& hooks) {
+  constexpr std::size_t kMostTries = 3;
+  const GrowthStep& before = path.steps[path.LastKept()];
+  const RunSuggestions run = SuggestForRun({.run = origin.RunOf(before),
+                                            .study = origin.StudyOf(before),
+                                            .set = origin.SetOf(before),
+                                            .threads = origin.threads},
+                                           hooks);
+  const Suggestions& suggestions = run.suggestions;
+  if (suggestions.is_interrupted) return std::nullopt;
+  GrowthRound round{.residuals = HasValidation(before) ? 0 : suggestions.residuals,
+                    .tried = suggestions.tried,
+                    .first = path.steps.size()};
+  for (const std::size_t k : WorthTrying(suggestions, round, path.TakenBack())) {
+    if (round.candidates.size() >= kMostTries) break;
+    const SuggestedAddition& one = suggestions.list[k];
+    round.candidates.push_back({.addition = {.words = one.addition.words,
+                                             .mechanism = one.addition.mechanism,
+                                             .elements = one.addition.elements,
+                                             .variant = one.addition.variant,
+                                             .amount = one.amount,
+                                             .count = one.addition.count,
+                                             .parameters = one.addition.parameters},
+                                .folder = GrowthFolder(path.steps.size() + round.candidates.size()),
+                                .effective = one.effective});
+    WriteApplied(run, k + 1, origin.output / round.candidates.back().folder);
+  }
+  return round;
+}
+
+}  // namespace fourpost
