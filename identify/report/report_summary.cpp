@@ -8,6 +8,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
 #include "analysis/text/enumeration.h"
+#include "identify/report/grown_path.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/missing_additions.h"
 #include "identify/report/report_tiles.h"
@@ -114,17 +115,6 @@ std::string OfAnotherVersion(const Json& result) {
 
 std::string ResidualsAre(double misfit) {
   return "Residuals are " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain";
-}
-
-/// Of a fit that was to grow and was interrupted; empty of any other.
-std::string InterruptedGrowth(const Json& result) {
-  const Json growth = result.value("growth", Json());
-  if (!growth.is_object() || growth.value("interrupted", false) != true) return "";
-  const std::vector<Json> added = ListAt(growth, "added");
-  const std::string last =
-      added.empty() || !added.back().is_string() ? "" : " (" + html::Escaped(added.back().get<std::string>()) + ")";
-  return "<strong>Growth was interrupted after step " + std::to_string(added.size()) + last +
-         ".</strong> Whether more is missing is not known. ";
 }
 
 /// Where stated standard deviations are several times what there is.
@@ -433,6 +423,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
          Item("What does not fit", misses) +
          Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result, MisfitOf(result) > kMisses))) +
+         Item("How it grew", HowItGrew(result)) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +

@@ -1,6 +1,7 @@
 #include "identify/run/addition_round.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,27 +13,34 @@
 namespace fourpost {
 namespace {
 
+/// Of one mechanism at several elements the others fail where the best two do: others have their turn.
+constexpr std::size_t kMostTries = 4;
+constexpr int kMostOfMechanism = 2;
+
 /// Places of those that lower the criterion, the best first, but for what was taken back: it would come again.
 std::vector<std::size_t> WorthTrying(const Suggestions& suggestions, const GrowthRound& round,
                                      const std::vector<std::string>& taken_back) {
   std::vector<std::pair<double, std::size_t>> found;
   for (std::size_t k = 0; k < suggestions.list.size(); ++k) {
     const SuggestedAddition& one = suggestions.list[k];
-    const double change = CriterionChange(suggestions.cost, one.cost, round.residuals, one.effective,
-                                          one.addition.count, round.tried);
+    const double change =
+        CriterionChange(suggestions.cost, one.cost, round.residuals, one.effective, one.addition.count, round.tried);
     if (change < 0 && std::find(taken_back.begin(), taken_back.end(), one.addition.words) == taken_back.end())
       found.emplace_back(change, k);
   }
   std::sort(found.begin(), found.end());
+  std::map<std::string, int> of_mechanism;
   std::vector<std::size_t> places;
-  for (const auto& [change, place] : found) places.push_back(place);
+  for (const auto& [change, place] : found) {
+    if (places.size() >= kMostTries) break;
+    if (++of_mechanism[suggestions.list[place].addition.mechanism] <= kMostOfMechanism) places.push_back(place);
+  }
   return places;
 }
 
 }  // namespace
 
 std::optional<GrowthRound> FindAdditions(const GrowthOrigin& origin, const GrowthPath& path, const WorkHooks& hooks) {
-  constexpr std::size_t kMostTries = 3;
   const GrowthStep& before = path.steps[path.LastKept()];
   const RunSuggestions run = SuggestForRun({.run = origin.RunOf(before),
                                             .study = origin.StudyOf(before),
@@ -45,7 +53,6 @@ std::optional<GrowthRound> FindAdditions(const GrowthOrigin& origin, const Growt
                     .tried = suggestions.tried,
                     .first = path.steps.size()};
   for (const std::size_t k : WorthTrying(suggestions, round, path.TakenBack())) {
-    if (round.candidates.size() >= kMostTries) break;
     const SuggestedAddition& one = suggestions.list[k];
     round.candidates.push_back({.addition = {.words = one.addition.words,
                                              .mechanism = one.addition.mechanism,

@@ -49,9 +49,7 @@ std::string StateOf(const FitRequest& request) {
 class Grower {
  public:
   Grower(const FitRequest& request, const FitRunHooks& hooks)
-      : request_(request),
-        hooks_(hooks),
-        origin_{request.study, request.set, request.output, request.threads} {}
+      : request_(request), hooks_(hooks), origin_{request.study, request.set, request.output, request.threads} {}
 
   GrownFit Run() {
     // Whatever stands in its way is found before any work.
@@ -84,9 +82,9 @@ class Grower {
     if (hooks_.begin) hooks_.begin();
     const GrowthStep& last = path_.steps[path_.LastKept()];
     const std::string what = last.IsOfStudy() ? "" : " (" + WordsOf(last.takes_back, last.addition) + ")";
-    hooks_.work.Note(path_.is_over ? "growth had ended: " + path_.end
-                                   : "growth goes on after step " +
-                                         std::to_string(path_.NumberOf(path_.LastKept())) + what);
+    hooks_.work.Note(path_.is_over
+                         ? "growth had ended: " + path_.end
+                         : "growth goes on after step " + std::to_string(path_.NumberOf(path_.LastKept())) + what);
   }
 
   /// False where it has no result.
@@ -143,17 +141,18 @@ class Grower {
     path_.round.reset();
   }
 
-  /// "step 3 of at most 12"
+  /// "step 3 of at most 12"; of which some are taken back there may be more.
   std::string StepWords() const {
-    return "step " + std::to_string(path_.Added().size() + 1) + " of at most " + std::to_string(kMostAdditions);
+    const bool is_open = !path_.end.empty() || !path_.TakenBack().empty();
+    return "step " + std::to_string(path_.NumberOf(path_.LastKept()) + 1) +
+           (is_open ? "" : " of at most " + std::to_string(kMostAdditions));
   }
 
   /// Tries one addition, or finds out which there are.
   void Grow() {
     const GrowthStep& before = path_.steps[path_.LastKept()];
     if (before.misfit <= 1 && !HasValidation(before)) return EndWith("the stated errors explain the residuals");
-    if (path_.Added().size() >= kMostAdditions)
-      return EndWith(LimitWords());
+    if (path_.Added().size() >= kMostAdditions) return EndWith(LimitWords());
     if (!path_.round) return LookForMore();
     if (path_.TriedOfRound() < path_.round->candidates.size()) return Try();
     if (KeepOneAtItsBound()) return;
@@ -175,7 +174,9 @@ class Grower {
     }
   }
 
-  static std::string LimitWords() { return "the limit of " + std::to_string(kMostAdditions) + " additions was reached"; }
+  static std::string LimitWords() {
+    return "the limit of " + std::to_string(kMostAdditions) + " additions was reached";
+  }
 
   /// An addition that the data push to the end of what it may be is not what they show, and stands back behind others;
   /// where there are none it is better than nothing.
@@ -229,8 +230,9 @@ class Grower {
                     .effective = one.effective,
                     .residuals = path_.round->residuals,
                     .tried = path_.round->tried};
-    hooks_.work.Note(StepWords() + (one.takes_back.empty() ? ", addition " : ", ") + std::to_string(place + 1) + " of " +
-                     std::to_string(path_.round->candidates.size()) + ": " + WordsOf(one.takes_back, one.addition));
+    hooks_.work.Note(StepWords() + (one.takes_back.empty() ? ", addition " : ", ") + std::to_string(place + 1) +
+                     " of " + std::to_string(path_.round->candidates.size()) + ": " +
+                     WordsOf(one.takes_back, one.addition));
     if (!FitOrRefuse(step)) return;
     if (step.reason.empty() && !one.takes_back.empty()) {
       step.criterion = TakeBackChange(before, step.cost, one.addition.count);
@@ -317,8 +319,8 @@ class Grower {
       fs::copy_file(request_.output / last.folder / "fit" / kTrace, request_.output / kTrace, failure);
   }
 
-  /// The last fit again, from the evaluations that it made, with a search: the steps went on from one point. False where
-  /// the user stops it.
+  /// The last fit again, from the evaluations that it made, with a search: the steps went on from one point. False
+  /// where the user stops it.
   bool FitOnceMore() {
     FitRequest request = RequestOf(path_.steps[path_.LastKept()]);
     request.growth = SummaryOf(path_, "");

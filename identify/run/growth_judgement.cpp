@@ -8,15 +8,16 @@
 namespace fourpost {
 namespace {
 
-/// Less than this share of the error of validation recordings is chance.
-constexpr double kChance = 0.02;
+/// By this share validation recordings may be predicted worse by chance; better by this one is more than chance.
+constexpr double kWorse = 0.02;
+constexpr double kBetter = 0.01;
 
 std::string ReasonAgainst(const GrowthStep& before, const GrowthStep& step) {
   const double error = step.validation_percent / before.validation_percent;
   if (!(step.criterion < 0)) return "the criterion does not fall";
   if (!step.at_bound.empty()) return "its " + step.at_bound.front() + " ends at a bound";
-  if (error > 1 + kChance) return "validation recordings are predicted worse";
-  if (step.takes_back.empty() && before.misfit <= 1 && HasValidation(before) && !(error < 1 - kChance))
+  if (error > 1 + kWorse) return "validation recordings are predicted worse";
+  if (step.takes_back.empty() && before.misfit <= 1 && HasValidation(before) && !(error < 1 - kBetter))
     return "validation recordings are predicted no better";
   return "";
 }

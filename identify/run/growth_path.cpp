@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json AdditionJson(const GrowthAddition& addition) {
-  return {{"added", addition.words},         {"mechanism", addition.mechanism}, {"elements", addition.elements},
-          {"variant", addition.variant},     {"amount", addition.amount},       {"count", addition.count},
+  return {{"added", addition.words},          {"mechanism", addition.mechanism}, {"elements", addition.elements},
+          {"variant", addition.variant},      {"amount", addition.amount},       {"count", addition.count},
           {"parameters", addition.parameters}};
 }
 
@@ -73,10 +73,8 @@ Json RoundJson(const std::optional<GrowthRound>& round) {
     json.update({{"takes_back", one.takes_back}, {"folder", one.folder}, {"effective_residuals", one.effective}});
     candidates.push_back(std::move(json));
   }
-  return {{"residuals", round->residuals},
-          {"tried", round->tried},
-          {"first", round->first},
-          {"candidates", candidates}};
+  return {
+      {"residuals", round->residuals}, {"tried", round->tried}, {"first", round->first}, {"candidates", candidates}};
 }
 
 std::optional<GrowthRound> RoundOf(const nlohmann::json& json) {
@@ -124,7 +122,8 @@ std::size_t GrowthPath::NumberOf(std::size_t place) const {
 std::vector<std::size_t> GrowthPath::Standing() const {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < steps.size(); ++i)
-    if (steps[i].is_kept && !steps[i].IsOfStudy() && steps[i].takes_back.empty() && !TakenBackBy(i)) places.push_back(i);
+    if (steps[i].is_kept && !steps[i].IsOfStudy() && steps[i].takes_back.empty() && !TakenBackBy(i))
+      places.push_back(i);
   return places;
 }
 

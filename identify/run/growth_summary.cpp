@@ -12,12 +12,9 @@ GrowthSummary SummaryOf(const GrowthPath& path, const std::string& not_done) {
 }
 
 nlohmann::ordered_json GrownJson(const GrowthSummary& growth) {
-  return {{"added", growth.added},
-          {"taken_back", growth.taken_back},
-          {"end", growth.end},
-          {"interrupted", !growth.not_done.empty()},
-          {"not_done", growth.not_done},
-          {"steps", growth.steps},
+  return {{"added", growth.added},       {"taken_back", growth.taken_back},
+          {"end", growth.end},           {"interrupted", !growth.not_done.empty()},
+          {"not_done", growth.not_done}, {"steps", growth.steps},
           {"state", growth.state}};
 }
 

@@ -18,8 +18,9 @@ struct RemakeRequest {
   std::map<std::string, double> values;
 };
 
-/// Writes study.yaml and vehicle.urdf of the study with these additions into a folder. False where one of them cannot be
-/// made without others that are not among them; nothing is left in the folder then. Throws FaultyInput and OutputError.
+/// Writes study.yaml and vehicle.urdf of the study with these additions into a folder. False where one of them cannot
+/// be made without others that are not among them; nothing is left in the folder then. Throws FaultyInput and
+/// OutputError.
 bool RemakeStudy(const RemakeRequest& request, const std::filesystem::path& folder);
 
 }  // namespace fourpost

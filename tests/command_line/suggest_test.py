@@ -212,10 +212,10 @@ class Suggest(ProgramTest):
         # As if validation recordings had spoken against it.
         step = path["steps"][1]
         step |= {"kept": False, "reason": "validation recordings are predicted worse"}
-        candidate = {key: step[key] for key in ("added", "mechanism", "elements", "folder")}
+        names = "added", "mechanism", "elements", "variant", "amount", "count", "parameters", "takes_back", "folder"
+        candidate = {key: step[key] for key in names} | {"effective_residuals": 50.0}
         path |= {"over": False, "end": None,
-                 "round": {"residuals": 100, "tried": 30,
-                           "candidates": [candidate | {"effective_residuals": 50.0, "count": 1, "parameters": []}]}}
+                 "round": {"residuals": 100, "tried": 30, "first": 1, "candidates": [candidate]}}
         file.write_text(json.dumps(path))
         written = self.written()
         printed = self.grow().stderr
@@ -257,6 +257,101 @@ class Suggest(ProgramTest):
         self.assertEqual(self.kept(), ["", "friction"])
         self.assertIs(self.grown("result.json")["growth"]["interrupted"], False)
         self.assertNotIn("Growth was interrupted", (self.folder / "grown/report.html").read_text())
+
+    def grown_step(self, mechanism, before, study, folder):
+        """Adds the first suggestion of a mechanism to a step by hand, and fits it; as steps/growth.json has it."""
+        said = json.loads(self.run_program("suggest", f"grown/{before}/fit", "--study", study, "--all", "--json").stdout)
+        one = next(one for one in said["suggestions"] if one["mechanism"] == mechanism)
+        self.run_program("suggest", f"grown/{before}/fit", "--study", study, "--all", "--apply", one["number"],
+                         "-o", f"grown/{folder}")
+        # 1: of a model that is too simple.
+        self.assertIn(self.fit_with_any_end(f"grown/{folder}/study.yaml", f"grown/{folder}/fit"), (0, 1))
+        result = self.grown(f"{folder}/fit/result.json")
+        names = [parameter["name"] for parameter in one["parameters"]]
+        return {"added": one["text"], "mechanism": mechanism, "elements": one["elements"], "variant": 0,
+                "amount": 1 / one["parameters"][0]["value"] if mechanism == "mount" else one["parameters"][0]["value"],
+                "count": len(names), "parameters": names, "takes_back": "", "folder": folder, "cost": result["cost"],
+                "misfit": result["misfit"], "criterion_change": -50.0, "validation_percent": None,
+                "effective_residuals": said["effective_residuals"], "residuals": said["residuals"], "tried": said["tried"],
+                "at_bound": [], "kept": True, "reason": ""}
+
+    def fit_with_any_end(self, study, folder):
+        words = "fit", study, "-o", folder, "--threads", "1", "--no-suggest", "--accept-implausible", "--accept-unidentified"
+        return subprocess.run([FOURPOST, *words], cwd=self.folder, capture_output=True).returncode
+
+    def with_a_mount_before_friction(self):
+        """A growth to go on with: first a mount, of which there is none, then the friction that there is."""
+        self.record(FRICTION)
+        self.grow()
+        path = self.grown("steps/growth.json")
+        mount = self.grown_step("mount", "steps/0", "study.yaml", "steps/5")
+        friction = self.grown_step("friction", "steps/5", "grown/steps/5/study.yaml", "steps/6")
+        path |= {"steps": [path["steps"][0], mount, friction], "round": None, "over": False}
+        (self.folder / "grown/steps/growth.json").write_text(json.dumps(path))
+
+    def test_growth_takes_back_what_has_become_worthless(self):
+        self.with_a_mount_before_friction()
+        printed = self.grow()
+        self.assertIn("taking back elastic mount in line with damper 'damper'", printed.stderr)
+        self.assertRegex(printed.stdout, r"elastic mount in line with damper 'damper' .*taken back in step 3")
+        path = self.grown("steps/growth.json")
+        self.assertEqual(path["added"], ["dry friction beside damper 'damper'"])
+        self.assertEqual(path["taken_back"], ["elastic mount in line with damper 'damper'"])
+        self.assertEqual(path["steps"][-1]["takes_back"], "steps/5")
+        # No worse than with it, by BIC.
+        self.assertLess(path["steps"][-1]["criterion_change"], 0)
+        result = self.grown("result.json")
+        self.assertEqual(result["growth"]["taken_back"], path["taken_back"])
+        self.assertEqual(result["growth"]["steps"][1]["taken_back_by"], 3)
+        names = [one["name"] for one in result["parameters"]]
+        self.assertIn("friction_damper", names)
+        self.assertNotIn("k_mount_damper", names)
+        self.assertNotIn("<series", (self.folder / "grown/vehicle.urdf").read_text())
+        friction = next(one["value"] for one in result["parameters"] if one["name"] == "friction_damper")
+        # As where the friction came first: 0.5 % of noise leave it to some per cent.
+        self.assertAlmostEqual(friction, 40, delta=2)
+        self.assertIn("taken back in step 3", (self.folder / "grown/report.html").read_text())
+        # Nothing is fitted or taken back again.
+        written = self.written()
+        again = self.grow()
+        self.assertEqual(again.stdout, printed.stdout)
+        self.assertNotIn("taking back", again.stderr)
+        self.assertEqual(self.written(), written)
+
+    def test_growth_that_is_stopped_while_it_takes_back_goes_on_there(self):
+        self.with_a_mount_before_friction()
+        errors = self.stopped_at("step 3, 1 of 1: taking back")
+        self.assertIn("not done: what can be taken back", errors)
+        growth = self.grown("result.json")["growth"]
+        self.assertEqual((growth["interrupted"], growth["not_done"]), (True, "what can be taken back"))
+        self.assertEqual(growth["added"][0], "elastic mount in line with damper 'damper'")
+        self.assertIn("taking back", self.grow().stderr)
+        self.assertEqual(self.grown("result.json")["growth"]["added"], ["dry friction beside damper 'damper'"])
+
+    def stopped_at(self, line):
+        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
+        program = self.start_program(*words)
+        errors = next(text for text in program.stderr if text.startswith(line))
+        program.send_signal(signal.SIGINT)
+        errors += program.communicate()[1]
+        self.assertEqual(program.returncode, 130)
+        return errors
+
+    def test_growth_that_is_stopped_in_its_last_fit_ends_with_the_last_step(self):
+        self.record(FRICTION)
+        errors = self.stopped_at("the last step that was kept is fitted once more")
+        self.assertIn("not done: the last fit with a search", errors)
+        result = self.grown("result.json")
+        step = self.grown("steps/1/fit/result.json")
+        self.assertEqual(result["parameters"], step["parameters"])
+        self.assertEqual(result["growth"]["not_done"], "the last fit with a search")
+        self.assertIn("growth-interrupted", [one["id"] for one in result["conclusions"]])
+        for name in ("vehicle.urdf", "response.csv", "parameters.csv"):
+            self.assertEqual((self.folder / "grown" / name).read_text(), (self.folder / "grown/steps/1/fit" / name).read_text())
+        self.assertIn("Not done: the last fit with a search", (self.folder / "grown/report.html").read_text())
+        # The same command makes it.
+        self.grow()
+        self.assertIs(self.grown("result.json")["growth"]["interrupted"], False)
 
 
 if __name__ == "__main__":

@@ -244,12 +244,28 @@ TEST(Summary, SaysThatAGrowthHasNotEnded) {
   Json result = Good();
   result["misfit"] = 0.9;
   result["channels"].erase(1);
-  result["growth"] = {{"added", {"a mount", "friction <b>"}}, {"end", "interrupted"}, {"interrupted", true}};
+  result["growth"] = {{"added", {"a mount", "friction <b>"}},
+                      {"end", "interrupted"},
+                      {"interrupted", true},
+                      {"not_done", "the last fit"}};
   EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("verdict open"), HasSubstr("Growth was interrupted after step 2 (friction &lt;b&gt;)."),
-                    HasSubstr("Run the same command again; growth goes on")));
+                    HasSubstr("Not done: the last fit."), HasSubstr("Run the same command again; growth goes on")));
   result["growth"]["interrupted"] = false;
   EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("verdict good"), Not(HasSubstr("interrupted"))));
+}
+
+TEST(Summary, ShowsHowAFitGrew) {
+  Json result = Good();
+  result["growth"] = Json::parse(R"({"end": "nothing more pays", "steps": [
+    {"step": 0, "change": "added", "what": "", "misfit": 4.25, "kept": true, "taken_back_by": null},
+    {"step": 1, "change": "added", "what": "a <mount>", "misfit": 2, "kept": true, "taken_back_by": 2},
+    {"step": 2, "change": "taken back", "what": "a <mount>", "misfit": 2.1, "kept": true, "taken_back_by": null},
+    {"step": 3, "change": "added", "what": "gas", "misfit": 1.9, "kept": false, "reason": "too dear"}]})");
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("4.25"), HasSubstr("with a &lt;mount&gt;"),
+                                                HasSubstr("taken back in step 2"), HasSubstr("without a &lt;mount&gt;"),
+                                                HasSubstr("no: too dear"), HasSubstr("It ended: nothing more pays.")));
+  EXPECT_THAT(SummaryOf(Good(), Known()), Not(HasSubstr("How it grew")));
 }
 
 // A refinement that was stopped agrees with nothing.

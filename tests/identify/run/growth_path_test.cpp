@@ -13,15 +13,28 @@ namespace fs = std::filesystem;
 /// A study, an addition that was kept, one that was refused, and one that is still to be tried.
 GrowthPath Path() {
   GrowthPath path{.study = "study.yaml", .state = "digest"};
-  path.steps = {
-      {.folder = "steps/0", .cost = 1000.1, .misfit = 3, .validation_percent = NAN, .is_kept = true},
-      {.added = "a mount", .folder = "steps/1", .cost = 0.1 + 0.2, .criterion = -7, .is_kept = true},
-      {.added = "friction", .folder = "steps/2", .cost = 1 / 3.0, .criterion = 4, .at_bound = {"v"}, .reason = "dear"}};
-  path.round = GrowthRound{
-      .candidates = {{.added = "friction", .folder = "steps/2"},
-                     {.added = "gas", .folder = "steps/3", .effective = 40.5, .count = 2, .parameters = {"v", "c"}}},
-      .residuals = 100,
-      .additions = 30};
+  path.steps = {{.folder = "steps/0", .cost = 1000.1, .misfit = 3, .validation_percent = NAN, .is_kept = true},
+                {.addition = {.words = "a mount", .variant = 3, .amount = 1e-6, .count = 1, .parameters = {"k"}},
+                 .folder = "steps/1",
+                 .cost = 0.1 + 0.2,
+                 .criterion = -7,
+                 .effective = 33.5,
+                 .residuals = 100,
+                 .tried = 29,
+                 .is_kept = true},
+                {.addition = {.words = "friction"},
+                 .folder = "steps/2",
+                 .cost = 1 / 3.0,
+                 .criterion = 4,
+                 .at_bound = {"v"},
+                 .reason = "dear"}};
+  path.round = GrowthRound{.candidates = {{.addition = {.words = "friction"}, .folder = "steps/2"},
+                                          {.addition = {.words = "gas", .count = 2, .parameters = {"v", "c"}},
+                                           .folder = "steps/3",
+                                           .effective = 40.5}},
+                           .residuals = 100,
+                           .tried = 30,
+                           .first = 2};
   return path;
 }
 
@@ -64,17 +77,40 @@ TEST_F(GrowthPathTest, IsReadAsItWasWritten) {
   ASSERT_TRUE(again.round);
   EXPECT_EQ(again.TriedOfRound(), 1u);
   EXPECT_EQ(again.round->candidates[1].effective, 40.5);
+  EXPECT_EQ(again.steps[1].addition.amount, 1e-6);
 }
 
 TEST_F(GrowthPathTest, NumbersStepsByWhatWasKept) {
   GrowthPath path = Path();
-  path.steps.push_back({.added = "gas", .is_kept = true});
+  path.steps.push_back({.addition = {.words = "gas"}, .folder = "steps/3", .is_kept = true});
   EXPECT_EQ(path.NumberOf(0), 0u);
   EXPECT_EQ(path.NumberOf(1), 1u);
   EXPECT_EQ(path.NumberOf(2), 2u);
   EXPECT_EQ(path.NumberOf(3), 2u);
   EXPECT_EQ(path.Added(), (std::vector<std::string>{"a mount", "gas"}));
   EXPECT_EQ(path.LastKept(), 3u);
+}
+
+TEST_F(GrowthPathTest, KnowsWhatStandsAfterSomethingWasTakenBack) {
+  GrowthPath path = Path();
+  path.steps.push_back({.addition = {.words = "gas"}, .folder = "steps/3", .is_kept = true});
+  GrowthStep back{.addition = {.words = "a mount"}, .takes_back = "steps/1", .folder = "steps/4"};
+  path.steps.push_back(back);
+  EXPECT_EQ(path.Added(), (std::vector<std::string>{"a mount", "gas"}));
+  EXPECT_FALSE(path.TakenBackBy(1));
+  path.steps.back().is_kept = true;
+  EXPECT_EQ(path.Added(), std::vector<std::string>{"gas"});
+  EXPECT_EQ(path.TakenBack(), std::vector<std::string>{"a mount"});
+  EXPECT_EQ(path.Standing(), std::vector<std::size_t>{3});
+  EXPECT_EQ(path.TakenBackBy(1), 3u);
+  EXPECT_EQ(path.LastKept(), 4u);
+}
+
+TEST_F(GrowthPathTest, KeepsWhyItEndedWhileItTakesBack) {
+  GrowthPath path = Path();
+  path.end = "nothing more pays";
+  EXPECT_EQ(Again(path).end, "nothing more pays");
+  EXPECT_FALSE(Again(path).is_over);
 }
 
 TEST_F(GrowthPathTest, OfAnotherStateIsNone) {
