@@ -139,6 +139,7 @@ class Grower {
   void EndWith(const std::string& why) {
     path_.end = why;
     path_.round.reset();
+    GoBack();
   }
 
   /// "step 3 of at most 12"; of which some are taken back there may be more.
@@ -155,7 +156,7 @@ class Grower {
     if (path_.Added().size() >= kMostAdditions) return EndWith(LimitWords());
     if (!path_.round) return LookForMore();
     if (path_.TriedOfRound() < path_.round->candidates.size()) return Try();
-    if (KeepOneAtItsBound()) return;
+    if (KeepOneThatStoodBack()) return;
     EndWith(path_.round->candidates.empty() ? "nothing more pays" : "no suggested addition improved the fit");
     WritePath();
   }
@@ -178,29 +179,31 @@ class Grower {
     return "the limit of " + std::to_string(kMostAdditions) + " additions was reached";
   }
 
-  /// An addition that the data push to the end of what it may be is not what they show, and stands back behind others;
-  /// where there are none it is better than nothing.
-  bool KeepOneAtItsBound() {
-    const auto first = path_.steps.begin() + static_cast<std::ptrdiff_t>(path_.LastKept() + 1);
-    GrowthStep* best = nullptr;
-    for (auto step = first; step != path_.steps.end(); ++step) {
-      GrowthStep judged = *step;
-      judged.at_bound.clear();
-      judged.reason.clear();
-      if (step->at_bound.empty()) continue;
-      Judge(path_.steps[path_.LastKept()], judged);
-      if (judged.is_kept && (!best || step->criterion < best->criterion)) best = &*step;
-    }
+  /// Better than nothing, where no addition of the round holds.
+  bool KeepOneThatStoodBack() {
+    const std::optional<std::size_t> best = BestThatStoodBack(path_);
     if (!best) return false;
-    best->is_kept = true;
-    best->reason.clear();
+    path_.steps[*best].is_kept = true;
+    path_.steps[*best].reason.clear();
     kept_ = {};
     // Those that were refused come before.
-    std::rotate(path_.steps.begin() + (best - path_.steps.data()),
-                path_.steps.begin() + (best - path_.steps.data()) + 1, path_.steps.end());
+    const auto kept = path_.steps.begin() + static_cast<std::ptrdiff_t>(*best);
+    std::rotate(kept, kept + 1, path_.steps.end());
     path_.round.reset();
     WritePath();
     return true;
+  }
+
+  /// Where a detour did not lead to better predictions, to where it began.
+  void GoBack() {
+    const std::size_t best = BestPredicted(path_);
+    if (best == path_.LastKept()) return;
+    for (std::size_t i = best + 1; i < path_.steps.size(); ++i) {
+      if (!path_.steps[i].is_kept) continue;
+      path_.steps[i].is_kept = false;
+      path_.steps[i].reason = "validation recordings are predicted better without it";
+    }
+    kept_ = {};
   }
 
   /// What was reached is not lost by what comes after it.
@@ -358,6 +361,7 @@ class Grower {
     // The same command tries again.
     if (!is_end_written_) {
       path.end.clear();
+      path.round.reset();
       path.is_over = false;
     }
     output.Add("growth.json", GrowthJson(path));

@@ -50,4 +50,33 @@ void Judge(const GrowthStep& before, GrowthStep& step) {
   step.is_kept = step.reason.empty();
 }
 
+std::optional<std::size_t> BestThatStoodBack(const GrowthPath& path) {
+  const std::size_t last = path.LastKept();
+  const GrowthStep& before = path.steps[last];
+  std::optional<std::size_t> best;
+  bool is_best_worse = false;
+  for (std::size_t i = last + 1; i < path.steps.size(); ++i) {
+    GrowthStep step = path.steps[i];
+    if (!std::isfinite(step.cost) || !step.takes_back.empty()) continue;
+    step.at_bound.clear();
+    Judge(before, step);
+    const bool is_worse = !step.is_kept;
+    if (is_worse && !(step.criterion < 0 && before.misfit > 1)) continue;
+    // A worse prediction weighs more than a bound.
+    if (best && (is_worse != is_best_worse ? is_worse : !(step.criterion < path.steps[*best].criterion))) continue;
+    best = i;
+    is_best_worse = is_worse;
+  }
+  return best;
+}
+
+std::size_t BestPredicted(const GrowthPath& path) {
+  const std::size_t last = path.LastKept();
+  std::size_t best = last;
+  for (std::size_t i = 0; i < last; ++i)
+    if (path.steps[i].is_kept && path.steps[i].validation_percent < path.steps[best].validation_percent) best = i;
+  const double allowed = (1 + kWorse) * path.steps[best].validation_percent;
+  return path.steps[last].validation_percent > allowed ? best : last;
+}
+
 }  // namespace fourpost

@@ -181,6 +181,7 @@ def record(program, folder, truth, vehicle, draw, options, held, lag_s):
         value = min(max(value, parameter["lower"]), parameter["upper"])
         sets += ["--set", f"{parameter['name']}={value}{parameter['unit'] if parameter['unit'] != '1' else ''}"]
     sets += [word for name, value in held.items() for word in ("--set", f"{name}={value}")]
+    (folder / "truth.json").write_text(json.dumps(sets))
     modes = [word for mode in MODES[vehicle] for word in ("--mode", mode)]
     run(program, "response", folder / "truth.urdf", *modes, "--frequencies", FREQUENCIES, "--engine", "reduced", *sets,
         *options, "-o", folder / "truth")
