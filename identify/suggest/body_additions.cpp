@@ -36,7 +36,8 @@ std::vector<double> StationsOn(const Vehicle& vehicle, int body) {
 }  // namespace
 
 /// A part of the body that moves up and down on springs and dampers of its own, such as a power unit. The amount is its
-/// mass as a share of the body's; natural frequency and damping are then to be found.
+/// mass as a share of the body's; natural frequency and damping are then to be found. What is left of the body has its
+/// centre of mass elsewhere, for that of both together is what the axles' loads show.
 void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
   constexpr double kDampingRatio = 0.08;
   const Vehicle& vehicle = source.vehicle();
@@ -44,38 +45,51 @@ void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& addit
   if (body < 0 || vehicle.tyres.empty()) return;
   const Link& link = vehicle.links[static_cast<std::size_t>(body)];
   const double whole = link.mass.At(source.values());
-  for (const double x : StationsOn(vehicle, body))
+  const double centre = link.com[0].At(source.values());
+  const std::vector<double> stations = StationsOn(vehicle, body);
+  // A body on one spring does not pitch, and a place that is free follows by itself.
+  const bool moves_centre = stations.size() > 1 && link.com[0].parameter < 0;
+  for (const double x : stations)
     for (const double frequency : {4.0, 6.0, 9.0, 12.0, 16.0}) {
       Addition addition{.mechanism = "part_on_mounts", .elements = {link.name}};
       addition.words = "part of '" + link.name + "' on mounts of its own, such as a power unit";
       const double omega = 2 * std::numbers::pi * frequency;
       addition.values = [=](double share) {
         const double mass = share * whole;
-        return std::vector{mass, mass * omega * omega, 2 * kDampingRatio * mass * omega};
+        std::vector<double> numbers = {mass, mass * omega * omega, 2 * kDampingRatio * mass * omega};
+        if (moves_centre) numbers.push_back((centre - share * x) / (1 - share));
+        return numbers;
       };
       addition.first = 0.05;
       addition.greatest = 0.4;
-      addition.count = 4;  // its place as well
+      addition.count = moves_centre ? 5 : 4;  // its place as well
       const std::string part = source.ElementName("part", link.name, false);
       const std::string text = "suggested: " + addition.words;
       const std::vector<double> values = addition.values(addition.first);
       const std::string mass = FormatNumber(AtDigits(values[0], 6));
-      const std::vector<NewParameter> parameters = {{.name = source.ParameterName("m_part", {link.name}),
-                                                     .dimension = kMass,
-                                                     .lower = 1e-3 * whole,
-                                                     .upper = 0.4 * whole,
-                                                     .source = text,
-                                                     .bound_to = "link[" + part + "]/mass"},
-                                                    {.name = source.ParameterName("k_part", {link.name}),
-                                                     .dimension = kStiffness,
-                                                     .lower = 0.02 * values[1] / 4,
-                                                     .upper = 40 * values[1],
-                                                     .source = text},
-                                                    {.name = source.ParameterName("c_part", {link.name}),
-                                                     .dimension = kDamping,
-                                                     .lower = 0.002 * values[2],
-                                                     .upper = 100 * values[2],
-                                                     .source = text}};
+      std::vector<NewParameter> parameters = {{.name = source.ParameterName("m_part", {link.name}),
+                                               .dimension = kMass,
+                                               .lower = 1e-3 * whole,
+                                               .upper = 0.4 * whole,
+                                               .source = text,
+                                               .bound_to = "link[" + part + "]/mass"},
+                                              {.name = source.ParameterName("k_part", {link.name}),
+                                               .dimension = kStiffness,
+                                               .lower = 0.02 * values[1] / 4,
+                                               .upper = 40 * values[1],
+                                               .source = text},
+                                              {.name = source.ParameterName("c_part", {link.name}),
+                                               .dimension = kDamping,
+                                               .lower = 0.002 * values[2],
+                                               .upper = 100 * values[2],
+                                               .source = text}};
+      if (moves_centre)
+        parameters.push_back({.name = source.ParameterName("x", {link.name}),
+                              .dimension = kLength,
+                              .lower = centre - std::abs(x - centre),
+                              .upper = centre + std::abs(x - centre),
+                              .source = text,
+                              .bound_to = "link[" + link.name + "]/com/x"});
       VehicleEdit edit = source.Edit();
       edit.Add("<link name=\"" + part + "\"><inertial><mass value=\"" + mass +
                "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>");

@@ -1,0 +1,68 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "identify/suggest/addition_source.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+std::vector<Addition> PartsOf(const Vehicle& vehicle) {
+  std::vector<Addition> additions;
+  AddBodyAdditions(AdditionSource(vehicle, vehicle.ParameterValues()), additions);
+  return additions;
+}
+
+Vehicle Read(const std::string& file) {
+  Diagnostics findings;
+  std::optional<Vehicle> vehicle = ReadVehicle(file, findings);
+  EXPECT_TRUE(vehicle) << findings.Format();
+  return *vehicle;
+}
+
+double CentreOf(const Vehicle& vehicle) {
+  double mass = 0;
+  double moment = 0;
+  for (const Joint& joint : vehicle.joints) {
+    const std::string& name = vehicle.links[static_cast<std::size_t>(joint.child)].name;
+    if (!name.starts_with("chassis") && !name.starts_with("part")) continue;
+    const Link& link = vehicle.links[static_cast<std::size_t>(joint.child)];
+    const double own = link.mass.At(vehicle.ParameterValues());
+    const double x = link.ComAt(vehicle.ParameterValues()).x();
+    mass += own;
+    moment += own * (x + (name == "chassis" ? 0 : joint.pose.translation().x()));
+  }
+  return moment / mass;
+}
+
+/// Else the part would shift the loads of the axles, which contradict it.
+TEST(BodyAdditions, KeepTheCentreOfMassOfBodyAndPart) {
+  const Vehicle before = Read("urdf/landrover110_model1.urdf");
+  const std::vector<Addition> parts = PartsOf(before);
+  ASSERT_EQ(parts.size(), 10u);
+  for (const Addition& one : parts) {
+    Diagnostics findings;
+    std::optional<Vehicle> with = ReadVehicleText(one.vehicle, before.file, findings);
+    ASSERT_TRUE(with) << findings.Format();
+    for (const double share : {0.05, 0.2}) {
+      const std::vector<double> values = one.values(share);
+      ASSERT_EQ(values.size(), one.parameters.size());
+      for (Parameter& parameter : with->parameters) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+          if (parameter.name == one.parameters[i]) parameter.value = values[i];
+        // The body's own mass follows, as in a fit.
+        if (parameter.name == "m_sprung") parameter.value = (1 - share) * 1725;
+      }
+      // Rounding.
+      EXPECT_NEAR(CentreOf(*with), CentreOf(before), 1e-9) << one.words << " " << share;
+    }
+  }
+}
+
+TEST(BodyAdditions, OfABodyThatDoesNotPitchHaveNoPlaceToFollow) {
+  for (const Addition& one : PartsOf(Read("urdf/quarter_car.urdf"))) EXPECT_EQ(one.parameters.size(), 3u);
+}
+
+}  // namespace
+}  // namespace fourpost
