@@ -5,6 +5,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "identify/suggest/addition_source.h"
+#include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
@@ -33,6 +34,21 @@ std::vector<double> StationsOn(const Vehicle& vehicle, int body) {
   return {*greatest, *least};
 }
 
+/// Where its centre of mass is stated, or to be; null where the file has no such link.
+const tinyxml2::XMLElement* InertialOf(const VehicleEdit& edit, const std::string& link) {
+  const tinyxml2::XMLElement* element = edit.Find("link", link);
+  return element ? element->FirstChildElement("inertial") : nullptr;
+}
+
+/// Names a parameter as the place of the centre of mass along x.
+void NameCentre(VehicleEdit& edit, const tinyxml2::XMLElement& inertial, const std::string& parameter) {
+  const tinyxml2::XMLElement* origin = inertial.FirstChildElement("origin");
+  const std::string xyz = origin ? AttributeText(*origin, "xyz").value_or("0 0 0") : "0 0 0";
+  const std::string others = xyz.substr(std::min(xyz.find(' ', xyz.find_first_not_of(' ')), xyz.size()));
+  if (origin) edit.Set(*origin, "xyz", '$' + parameter + others);
+  else edit.AddChild(inertial, "<origin xyz=\"$" + parameter + others + "\"/>");
+}
+
 }  // namespace
 
 /// A part of the body that moves up and down on springs and dampers of its own, such as a power unit. The amount is its
@@ -48,7 +64,7 @@ void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& addit
   const double centre = link.com[0].At(source.values());
   const std::vector<double> stations = StationsOn(vehicle, body);
   // A body on one spring does not pitch, and a place that is free follows by itself.
-  const bool moves_centre = stations.size() > 1 && link.com[0].parameter < 0;
+  const bool moves_centre = stations.size() > 1 && link.com[0].parameter < 0 && InertialOf(source.Edit(), link.name);
   for (const double x : stations)
     for (const double frequency : {4.0, 6.0, 9.0, 12.0, 16.0}) {
       Addition addition{.mechanism = "part_on_mounts", .elements = {link.name}};
@@ -88,9 +104,9 @@ void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& addit
                               .dimension = kLength,
                               .lower = centre - std::abs(x - centre),
                               .upper = centre + std::abs(x - centre),
-                              .source = text,
-                              .bound_to = "link[" + link.name + "]/com/x"});
+                              .source = text});
       VehicleEdit edit = source.Edit();
+      if (moves_centre) NameCentre(edit, *InertialOf(edit, link.name), parameters.back().name);
       edit.Add("<link name=\"" + part + "\"><inertial><mass value=\"" + mass +
                "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>");
       edit.Add(

@@ -1,4 +1,7 @@
-#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +19,7 @@ std::vector<Addition> PartsOf(const Vehicle& vehicle) {
 
 Vehicle Read(const std::string& file) {
   Diagnostics findings;
-  std::optional<Vehicle> vehicle = ReadVehicle(file, findings);
+  std::optional<Vehicle> vehicle = ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / file, findings);
   EXPECT_TRUE(vehicle) << findings.Format();
   return *vehicle;
 }
@@ -38,7 +41,7 @@ double CentreOf(const Vehicle& vehicle) {
 
 /// Else the part would shift the loads of the axles, which contradict it.
 TEST(BodyAdditions, KeepTheCentreOfMassOfBodyAndPart) {
-  const Vehicle before = Read("urdf/landrover110_model1.urdf");
+  const Vehicle before = Read("landrover110_model1.urdf");
   const std::vector<Addition> parts = PartsOf(before);
   ASSERT_EQ(parts.size(), 10u);
   for (const Addition& one : parts) {
@@ -61,7 +64,7 @@ TEST(BodyAdditions, KeepTheCentreOfMassOfBodyAndPart) {
 }
 
 TEST(BodyAdditions, OfABodyThatDoesNotPitchHaveNoPlaceToFollow) {
-  for (const Addition& one : PartsOf(Read("urdf/quarter_car.urdf"))) EXPECT_EQ(one.parameters.size(), 3u);
+  for (const Addition& one : PartsOf(Read("quarter_car.urdf"))) EXPECT_EQ(one.parameters.size(), 3u);
 }
 
 }  // namespace
