@@ -73,7 +73,7 @@ void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& addit
       addition.values = [=](double share) {
         const double mass = share * whole;
         std::vector<double> numbers = {mass, mass * omega * omega, 2 * kDampingRatio * mass * omega};
-        if (moves_centre) numbers.push_back((centre - share * x) / (1 - share));
+        if (moves_centre) numbers.insert(numbers.end(), {(centre - share * x) / (1 - share), 0});
         return numbers;
       };
       addition.first = 0.05;
@@ -99,15 +99,24 @@ void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& addit
                                                .lower = 0.002 * values[2],
                                                .upper = 100 * values[2],
                                                .source = text}};
-      if (moves_centre)
+      if (moves_centre) {
         parameters.push_back({.name = source.ParameterName("x", {link.name}),
                               .dimension = kLength,
                               .lower = centre - std::abs(x - centre),
                               .upper = centre + std::abs(x - centre),
                               .source = text});
+        // Beside its mounts, so that its place is found as well.
+        const double reach = std::abs(stations.front() - stations.back()) / 2;
+        parameters.push_back({.name = source.ParameterName("x_part", {link.name}),
+                              .dimension = kLength,
+                              .lower = -reach,
+                              .upper = reach,
+                              .source = text});
+      }
       VehicleEdit edit = source.Edit();
-      if (moves_centre) NameCentre(edit, *InertialOf(edit, link.name), parameters.back().name);
-      edit.Add("<link name=\"" + part + "\"><inertial><mass value=\"" + mass +
+      if (moves_centre) NameCentre(edit, *InertialOf(edit, link.name), parameters[3].name);
+      const std::string place = moves_centre ? "<origin xyz=\"$" + parameters[4].name + " 0 0\"/>" : "";
+      edit.Add("<link name=\"" + part + "\"><inertial>" + place + "<mass value=\"" + mass +
                "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>");
       edit.Add(
           "<joint name=\"" + part + "_travel\" type=\"prismatic\"><parent link=\"" + link.name + "\"/><child link=\"" +
