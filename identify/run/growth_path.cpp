@@ -141,8 +141,10 @@ std::vector<std::string> GrowthPath::TakenBack() const {
 }
 
 std::optional<std::size_t> GrowthPath::TakenBackBy(std::size_t place) const {
+  if (!steps[place].is_kept || !steps[place].takes_back.empty()) return std::nullopt;
   for (std::size_t i = place + 1; i < steps.size(); ++i)
-    if (steps[place].is_kept && steps[i].is_kept && steps[i].takes_back == steps[place].folder) return NumberOf(i);
+    if (steps[i].is_kept && !steps[i].takes_back.empty() && steps[i].addition.words == steps[place].addition.words)
+      return NumberOf(i);
   return std::nullopt;
 }
 

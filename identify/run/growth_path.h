@@ -29,7 +29,8 @@ struct GrowthAddition {
 struct GrowthStep {
   /// Nothing: the study as it stands.
   GrowthAddition addition;
-  /// Folder of the step that made the addition, where this one takes it back; empty where it makes it.
+  /// Folder of the first step that made the addition, where this one takes it back, as often as it was made; empty where
+  /// it makes it.
   std::string takes_back = {};
   /// Below the output: where the step's study and its fit are.
   std::string folder;

@@ -42,7 +42,9 @@ class TakeBackSearch {
 
   std::optional<GrowthRound> Run() {
     for (const std::size_t place : standing_) {
-      if (place == path_.LastKept()) continue;
+      // The newest was judged against the fit before it; a scale that was added again is one with the first.
+      const std::vector<std::size_t> alike = Alike(place);
+      if (place != alike.front() || alike == std::vector{path_.LastKept()}) continue;
       hooks_.Show("what can be taken back: " + path_.steps[place].addition.words);
       Look(place);
       if (hooks_.IsStopped()) return std::nullopt;
@@ -62,13 +64,14 @@ class TakeBackSearch {
                               .takes_back = step.folder,
                               .folder = GrowthFolder(path_.steps.size() + found_.size()),
                               .effective = last_.effective}};
+    found.candidate.addition.count *= static_cast<int>(Alike(place).size());
     // What was reached is not lost where something cannot be taken back.
     try {
       const fs::path folder = origin_.output / found.candidate.folder;
       if (!RemakeStudy({origin_.study, origin_.set, Others(place), values_}, folder)) return;
       const std::optional<double> cost = CostOf(folder / "study.yaml");
       if (!cost) return;
-      found.criterion = TakeBackChange(last_, *cost, step.addition.count);
+      found.criterion = TakeBackChange(last_, *cost, found.candidate.addition.count);
       found_.push_back(std::move(found));
     } catch (const OutputError&) {
       throw;
@@ -77,10 +80,20 @@ class TakeBackSearch {
     }
   }
 
+  const std::string& WordsOf(std::size_t place) const { return path_.steps[place].addition.words; }
+
+  /// Places where the same was added.
+  std::vector<std::size_t> Alike(std::size_t place) const {
+    std::vector<std::size_t> alike;
+    for (const std::size_t other : standing_)
+      if (WordsOf(other) == WordsOf(place)) alike.push_back(other);
+    return alike;
+  }
+
   std::vector<GrowthAddition> Others(std::size_t place) const {
     std::vector<GrowthAddition> others;
     for (const std::size_t other : standing_)
-      if (other != place) others.push_back(path_.steps[other].addition);
+      if (WordsOf(other) != WordsOf(place)) others.push_back(path_.steps[other].addition);
     return others;
   }
 

@@ -209,9 +209,9 @@ class Suggest(ProgramTest):
         self.grow()
         file = self.folder / "grown/steps/growth.json"
         path = json.loads(file.read_text())
-        # As if validation recordings had spoken against it.
+        # As if BIC had spoken against it.
         step = path["steps"][1]
-        step |= {"kept": False, "reason": "validation recordings are predicted worse"}
+        step |= {"kept": False, "criterion_change": 4.5, "reason": "the criterion does not fall"}
         names = "added", "mechanism", "elements", "variant", "amount", "count", "parameters", "takes_back", "folder"
         candidate = {key: step[key] for key in names} | {"effective_residuals": 50.0}
         path |= {"over": False, "end": None,

@@ -106,6 +106,17 @@ TEST_F(GrowthPathTest, KnowsWhatStandsAfterSomethingWasTakenBack) {
   EXPECT_EQ(path.LastKept(), 4u);
 }
 
+TEST_F(GrowthPathTest, TakesBackAScaleAsOftenAsItWasAdded) {
+  GrowthPath path = Path();
+  path.steps.push_back({.addition = {.words = "a mount"}, .folder = "steps/3", .is_kept = true});
+  EXPECT_EQ(path.Standing(), (std::vector<std::size_t>{1, 3}));
+  path.steps.push_back(
+      {.addition = {.words = "a mount"}, .takes_back = "steps/1", .folder = "steps/4", .is_kept = true});
+  EXPECT_TRUE(path.Standing().empty());
+  EXPECT_EQ(path.TakenBackBy(3), 3u);
+  EXPECT_FALSE(path.TakenBackBy(4));
+}
+
 TEST_F(GrowthPathTest, KeepsWhyItEndedWhileItTakesBack) {
   GrowthPath path = Path();
   path.end = "nothing more pays";
