@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTrace = "archive.sqlite";
+constexpr const char* kPath = "steps/growth.json";
 
 /// Of all that decides how a fit grows; empty of a request that FitStudy() refuses.
 std::string StateOf(const FitRequest& request) {
@@ -53,7 +54,8 @@ class Grower {
 
   GrownFit Run() {
     // Whatever stands in its way is found before any work.
-    OutputFolder(request_.output, kTrace);
+    // One that was killed has left its path alone.
+    OutputFolder(request_.output, fs::exists(request_.output / kPath) ? kPath : kTrace);
     RequireNoOtherResult(request_.output, ResultKind::kFit);
     TakeUp();
     if (path_.steps.empty() && !FitAsItStands()) return End();

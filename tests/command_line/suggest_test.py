@@ -337,6 +337,16 @@ class Suggest(ProgramTest):
         self.assertEqual(program.returncode, 130)
         return errors
 
+    def test_growth_that_was_killed_goes_on_after_its_last_step(self):
+        self.record(FRICTION)
+        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
+        program = self.start_program(*words)
+        next(text for text in program.stderr if text.startswith("step 1 of at most 12, addition"))
+        program.kill()
+        program.communicate()
+        self.assertIn("growth goes on after step 0", self.grow().stderr)
+        self.assertEqual(self.kept(), ["", "friction"])
+
     def test_growth_that_is_stopped_in_its_last_fit_ends_with_the_last_step(self):
         self.record(FRICTION)
         errors = self.stopped_at("the last step that was kept is fitted once more")
