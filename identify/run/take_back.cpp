@@ -62,7 +62,7 @@ class TakeBackSearch {
     const GrowthStep& step = path_.steps[place];
     Found found{.candidate = {.addition = step.addition,
                               .takes_back = step.folder,
-                              .folder = GrowthFolder(path_.steps.size() + found_.size()),
+                              .folder = FolderOf(place),
                               .effective = last_.effective}};
     found.candidate.addition.count *= static_cast<int>(Alike(place).size());
     // What was reached is not lost where something cannot be taken back.
@@ -78,6 +78,11 @@ class TakeBackSearch {
     } catch (const std::exception& failure) {
       hooks_.Note("'" + step.addition.words + "' cannot be taken back: " + failure.what());
     }
+  }
+
+  /// Of its own: which of them become steps is not known yet.
+  std::string FolderOf(std::size_t place) const {
+    return GrowthFolder(path_.steps.size()) + "_without_" + std::to_string(place);
   }
 
   const std::string& WordsOf(std::size_t place) const { return path_.steps[place].addition.words; }

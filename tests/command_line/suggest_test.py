@@ -298,6 +298,9 @@ class Suggest(ProgramTest):
         self.assertEqual(path["added"], ["dry friction beside damper 'damper'"])
         self.assertEqual(path["taken_back"], ["elastic mount in line with damper 'damper'"])
         self.assertEqual(path["steps"][-1]["takes_back"], "steps/5")
+        # No later step lies in its folder.
+        self.assertEqual(path["steps"][-1]["folder"], "steps/3_without_1")
+        self.assertTrue((self.folder / "grown/steps/3_without_1/study.yaml").exists())
         # No worse than with it, by BIC.
         self.assertLess(path["steps"][-1]["criterion_change"], 0)
         result = self.grown("result.json")
