@@ -47,12 +47,12 @@ struct ExperimentDesign {
 };
 
 /// The repeats of each run that say most within the budget: of the smallest determinant of the covariance
-/// (D-optimality), or with targets the least time in which they are met. Repeats are added by what they give per
-/// second, then exchanged one for another as long as that helps (Fedorov, Theory of optimal experiments, 1972).
-/// The certificate is that of the equivalence theorem (Kiefer and Wolfowitz 1960) with costs: the logarithm of the
-/// determinant is concave in the numbers of repeats, so that its tangent anywhere bounds it; the least bound on the way
-/// to the best design of parts of repeats (Frank and Wolfe 1956) counts. `known`: inverse covariance without
-/// any run; it must be positive definite.
+/// (D-optimality), or with targets little time in which they are met. Repeats are added by what they give per
+/// second, then exchanged one for another as long as that helps (Fedorov, Theory of optimal experiments, 1972); with
+/// targets also in less and less time, until some attempts in a row miss one. The certificate is that of the
+/// equivalence theorem (Kiefer and Wolfowitz 1960) with costs: the logarithm of the determinant is concave in the
+/// numbers of repeats, so that its tangent anywhere bounds it; the least bound on the way to the best design of parts
+/// of repeats (Frank and Wolfe 1956) counts. `known`: inverse covariance without any run; it must be positive definite.
 ExperimentDesign BestDesign(const Eigen::MatrixXd& known, const std::vector<PossibleRun>& runs, const DesignGoal& goal);
 
 /// Covariance with these repeats.

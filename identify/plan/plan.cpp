@@ -19,6 +19,7 @@
 #include "identify/search/parallel.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/balance_sensitivity.h"
+#include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
 namespace {
@@ -271,11 +272,36 @@ class Planner {
     for (std::size_t s = 0; s < plan_.vehicle.sensors.size(); ++s) {
       double& noise = plan_.rig.noise[s];
       if (!std::isnan(noise) || !plan_.rig.is_read[s]) continue;
-      // A sensor that nothing moves says nothing.
-      noise = std::max(kShare * largest[static_cast<Index>(s)], std::numeric_limits<double>::min());
+      noise = kShare * AmplitudeForNoise(s, largest);
       names += (names.empty() ? "'" : ", '") + plan_.vehicle.sensors[s].name + '\'';
     }
     if (!names.empty()) plan_.findings.Report(kPlanNoiseAssumed, {request_.rig.string()}, {names});
+  }
+
+  /// A sensor that no run moves shows what the balance's iteration leaves, some 1e-6, and would seem exact with a share
+  /// of that: it counts as the loudest of its unit, or as the posts' own motion where none is loud.
+  double AmplitudeForNoise(std::size_t sensor, const Eigen::VectorXd& largest) const {
+    constexpr double kStill = 1e-4;
+    const std::vector<Sensor>& sensors = plan_.vehicle.sensors;
+    double loudest = LargestOfPosts(sensors[sensor].type);
+    for (std::size_t s = 0; s < sensors.size(); ++s)
+      if (UnitOf(sensors[s].type) == UnitOf(sensors[sensor].type))
+        loudest = std::max(loudest, largest[static_cast<Index>(s)]);
+    const double own = largest[static_cast<Index>(sensor)];
+    return own > kStill * loudest ? own : loudest;
+  }
+
+  /// Of all runs, in the unit of such a sensor: angular velocities over a lever of 1 m; forces are the tyres' own.
+  double LargestOfPosts(Sensor::Type type) const {
+    double most = 0;
+    if (type == Sensor::Type::kLoadCell) return most;
+    for (const RigRun& run : plan_.rig.runs)
+      for (const double frequency : run.frequency_Hz) {
+        const double amplitude = run.amplitude.At(frequency);
+        const double turning = type == Sensor::Type::kGyro ? 2 * std::numbers::pi * frequency : 1;
+        most = std::max(most, turning * ReferenceOf(type, frequency, amplitude));
+      }
+    return most;
   }
 
   void RequireTime(const std::vector<PossibleRun>& possible) {

@@ -43,7 +43,7 @@ struct PlannedParameter {
   /// What is wanted; 0: nothing.
   double wanted = 0;
 
-  /// Whether no run says anything of it.
+  /// Whether even all of them narrow it by less than a tenth.
   bool IsBeyondReach() const { return best > 0.9 * before; }
 };
 

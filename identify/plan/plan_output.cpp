@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +30,16 @@ std::string RunsTable(const Plan& plan) {
   return table.Format();
 }
 
+std::string RunsWords(const Plan& plan) {
+  const std::string possible = std::to_string(plan.runs.size()) + " possible runs and measurements";
+  if (plan.design.cost_s > 0)
+    return "The plan takes " + Minutes(plan.design.cost_s) + " of " + Minutes(plan.rig.time_s) + " min, out of " +
+           possible + ":\n\n" + RunsTable(plan);
+  const bool is_known = plan.design.meets && !plan.rig.wanted.empty();
+  return (is_known ? "All that is wanted is known already; none of " : "Nothing is gained by any of ") + possible +
+         ".\n";
+}
+
 std::string ParametersTable(const Plan& plan) {
   const bool has_wanted = !plan.rig.wanted.empty();
   std::vector<std::string> head = {"parameter", "value", "sd now", "with plan", "shared evenly"};
@@ -49,7 +61,8 @@ std::string BeyondReachWords(const Plan& plan) {
   for (const PlannedParameter& one : plan.parameters)
     if (one.IsBeyondReach()) names += (names.empty() ? "" : ", ") + one.name;
   if (names.empty()) return "";
-  return "No run says anything of " + names + ": measure them directly, or move the car otherwise.\n";
+  return "All runs together narrow these by less than a tenth: " + names +
+         ". Measure them directly, or move the car otherwise.\n";
 }
 
 std::string CertificateWords(const Plan& plan) {
@@ -105,7 +118,18 @@ std::string AsFileName(const std::string& name) {
   return file.empty() ? "run" : file;
 }
 
-/// Heights of the posts in a run.
+/// With a number where runs of other names have the same: "run_2". Case does not tell files apart everywhere.
+std::string UnusedName(const std::string& name, std::set<std::string>& used) {
+  const auto lower = [](std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+  };
+  std::string unused = name;
+  for (int i = 2; !used.insert(lower(unused)).second; ++i) unused = name + '_' + std::to_string(i);
+  return unused;
+}
+
+/// Heights of the posts in a run, at rest first: mean offsets are relative to that.
 TimeHistory DriveOf(const Plan& plan, const RigRun& run) {
   SteppedSine sines;
   for (const double frequency : run.frequency_Hz)
@@ -116,12 +140,13 @@ TimeHistory DriveOf(const Plan& plan, const RigRun& run) {
   constexpr double kSamplesPerCycle = 10;
   constexpr double kLeast_Hz = 100;
   TimeHistory history{.rate_Hz = std::max(kLeast_Hz, std::ceil(kSamplesPerCycle * run.frequency_Hz.back()))};
-  const TimeGrid grid{.end_s = sines.Duration(), .rate_Hz = history.rate_Hz};
+  constexpr double kRest_s = 1;
+  const TimeGrid grid{.end_s = kRest_s + sines.Duration(), .rate_Hz = history.rate_Hz};
   history.posts.resize(grid.count(), std::ssize(run.shape));
   history.readings.resize(grid.count(), 0);
   std::vector<PostState> posts(run.shape.size());
   for (Eigen::Index k = 0; k < grid.count(); ++k) {
-    motion(history.TimeAt(k), posts);
+    motion(history.TimeAt(k) - kRest_s, posts);
     for (std::size_t p = 0; p < posts.size(); ++p) history.posts(k, static_cast<Eigen::Index>(p)) = posts[p].height;
   }
   return history;
@@ -130,9 +155,8 @@ TimeHistory DriveOf(const Plan& plan, const RigRun& run) {
 }  // namespace
 
 std::string PlanText(const Plan& plan) {
-  std::string text = "Of " + std::to_string(plan.runs.size()) + " runs and measurements these, in " +
-                     Minutes(plan.design.cost_s) + " of " + Minutes(plan.rig.time_s) + " min:\n\n" + RunsTable(plan) +
-                     '\n' + ParametersTable(plan) + '\n' + BeyondReachWords(plan) + CertificateWords(plan);
+  std::string text =
+      RunsWords(plan) + '\n' + ParametersTable(plan) + '\n' + BeyondReachWords(plan) + CertificateWords(plan);
   if (plan.gain_over_even > 1.005)
     text += "The same time shared evenly over all runs makes them " + Rounded(plan.gain_over_even, 3) +
             " times as large.\n";
@@ -161,12 +185,13 @@ Json PlanJson(const Plan& plan) {
 std::vector<std::pair<std::string, std::string>> PlanFiles(const Plan& plan) {
   std::vector<std::pair<std::string, std::string>> files = {{"plan.csv", RunsCsv(plan)},
                                                             {"parameters.csv", ParametersCsv(plan)}};
+  std::set<std::string> names;
   for (const PlannedRun& run : plan.runs) {
     if (run.repeats == 0 || !run.run) continue;
     const RigRun& rig_run = plan.rig.runs[*run.run];
     const TimeHistory history = DriveOf(plan, rig_run);
     const std::vector<HistoryChannel> channels = ChannelsOf(plan.vehicle, history, {});
-    const std::string name = "drive_" + AsFileName(rig_run.name);
+    const std::string name = UnusedName("drive_" + AsFileName(rig_run.name), names);
     files.emplace_back(name + ".csv", HistoryCsv(history, channels));
     files.emplace_back(name + ".drv", HistoryDrive(rig_run.name, history, channels));
   }

@@ -97,6 +97,7 @@ class RigReader {
  private:
   void ReadSensors(const StrictMap& top) {
     if (!top.Has("sensors")) return;
+    if (!IsList(top, "sensors", "a_body, s_strut")) return;
     rig_.states_sensors = true;
     std::fill(rig_.is_read.begin(), rig_.is_read.end(), false);
     for (const YAML::Node& node : top.Get("sensors")) {
@@ -112,13 +113,20 @@ class RigReader {
     }
   }
 
+  static bool IsList(const StrictMap& top, std::string_view key, const std::string& example) {
+    const YAML::Node node = top.Get(key);
+    const bool is_list = node.IsSequence() && node.size() > 0;
+    if (!is_list) top.FaultOf(key, kRigListNone, {example});
+    return is_list;
+  }
+
   void ReadNoise(const StrictMap& top) {
     constexpr std::array<std::string_view, 4> kKinds = {"acceleration", "displacement", "force", "angular_velocity"};
     const StrictMap map = top.Map("noise", {kKinds.begin(), kKinds.end()});
     for (const std::string_view kind : kKinds) {
       const std::optional<double> noise = map.Quantity(kind, DimensionOf(kind), 0);
       if (!noise) continue;
-      if (!(*noise > 0)) map.FaultOf(kind, kRigQuantity, {ScalarOf(map.Get(kind))});
+      if (!(*noise > 0)) map.FaultOf(kind, kRigNoiseNone);
       for (std::size_t s = 0; s < vehicle_.sensors.size(); ++s)
         if (KindOf(vehicle_.sensors[s].type) == kind) rig_.noise[s] = *noise;
     }
@@ -156,7 +164,7 @@ class RigReader {
     const std::string mode = map.Text("mode").value_or("heave");
     Diagnostics faults;
     run.shape = ReadPostShape(mode, vehicle_, faults);
-    if (faults.HasErrors()) map.FaultOf("mode", kRigRunMode, {mode});
+    if (faults.HasErrors()) map.FaultOf("mode", kRigRunMode, {mode, vehicle_.posts.front().name});
     double lower = kLowest_Hz;
     double upper = kHighest_Hz;
     if (map.Has("band")) ReadBand(map, lower, upper);
@@ -220,6 +228,7 @@ class RigReader {
   }
 
   void ReadMeasurements(const StrictMap& top) {
+    if (!IsList(top, "measurements", "{parameter: NAME, sd: 1 %, time: 10 min}")) return;
     for (const YAML::Node& entry : top.Get("measurements")) {
       const StrictMap map(entry, "measurement", {"name", "parameter", "sd", "time"}, top.file(), diagnostics_);
       if (!entry.IsMap()) continue;

@@ -47,12 +47,41 @@ class Plan(ProgramTest):
         chosen = [run for run in document["planned_runs"] if run["is_on_rig"] and run["repeats"] > 0]
         drives = sorted(file.name for file in (self.folder / "plan").glob("drive_*"))
         self.assertEqual(len(drives), 2 * len(chosen))
-        # What the drive says is what the rig's recordings will: the program finds its dwells, with their amplitudes.
         drive = next(name for name in drives if name.endswith(".csv") and "0.5_Hz_5_Hz" in name)
         with (self.folder / "plan" / drive).open() as file:
             heights = [float(row["post_post"] if "post_post" in row else list(row.values())[1])
                        for row in list(csv.DictReader(file))[1:]]
         self.assertAlmostEqual(max(heights), 0.008, delta=0.0002)
+
+    def test_recordings_of_its_drives_have_what_it_counts_on(self):
+        self.write("rig.yaml", RIG)
+        vehicle = SOURCE / "urdf/quarter_car.urdf"
+        self.plan(vehicle, "--rig", "rig.yaml", "-o", "plan")
+        drive = next((self.folder / "plan").glob("drive_*0.5_Hz_5_Hz.csv"))
+        self.run_program("simulate", vehicle, "--recording", drive, "--engine", "reduced", "-o", "simulated.csv")
+        self.run_program("frf", "simulated.csv", "-o", "frf")
+        with (self.folder / "frf/heave.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        frequencies = sorted({float(row["frequency_Hz"]) for row in rows})
+        self.assertEqual(len(frequencies), 15)
+        for row in rows:
+            # The rig's file says 8 mm; more than 0.15 m/s or 6 m/s^2 no usual rig makes.
+            w = 2 * math.pi * float(row["frequency_Hz"])
+            asked = min(0.008, 0.15 / w, 6 / w**2)
+            self.assertAlmostEqual(float(row["post_amplitude_m"]), asked, delta=1e-3 * asked)
+        # A mean offset needs a rest to be relative to.
+        struts = [row for row in rows if row["unit"] == "m"]
+        self.assertTrue(struts)
+        self.assertTrue(all(row["mean"] for row in struts))
+
+    def test_drives_of_alike_names_are_files_of_their_own(self):
+        self.write("rig.yaml", "time: 60 min\nrepeats: 1\nruns:\n" + "".join(
+            f"  - {{mode: heave, band: [1 Hz, {4 + i} Hz], frequencies: 4, name: '{name}'}}\n"
+            for i, name in enumerate(("高い", "低い", "a b", "A.b"))))
+        document, _ = self.plan(SOURCE / "urdf/quarter_car.urdf", "--rig", "rig.yaml", "-o", "plan")
+        chosen = [run for run in document["planned_runs"] if run["repeats"] > 0]
+        self.assertEqual(len(chosen), 4)
+        self.assertEqual(len(list((self.folder / "plan").glob("drive_*.csv"))), 4)
 
     def test_a_fit_is_what_is_known(self):
         self.run_program("init", "car")
@@ -78,6 +107,11 @@ class Plan(ProgramTest):
         self.assertTrue(document["meets_wanted"])
         self.assertLessEqual(wanted["sd_with_plan"], wanted["wanted"])
         self.assertLess(document["planned_time_s"], 1800)
+        self.write("rig.yaml", RIG + "want: {c_bump: 500 %}\n")
+        document, _ = self.plan(SOURCE / "urdf/quarter_car.urdf", "--rig", "rig.yaml")
+        self.assertEqual(document["planned_time_s"], 0)
+        printed = self.run_program("plan", SOURCE / "urdf/quarter_car.urdf", "--rig", "rig.yaml").stdout
+        self.assertIn("known already", printed)
         self.write("rig.yaml", RIG + "want: {c_bump: 0.001 %}\n")
         document, errors = self.plan(SOURCE / "urdf/quarter_car.urdf", "--rig", "rig.yaml", code=1)
         self.assertFalse(document["meets_wanted"])

@@ -52,8 +52,8 @@ Eigen::MatrixXcd NeededForce::WithSeries(double omega, const Eigen::MatrixXcd& m
   for (Eigen::Index h = 0; h < last && series > 0; ++h) {
     const Complex rate(0, static_cast<double>(h) * omega);
     const Eigen::VectorXcd moved = all.row(h).head(n).transpose();
-    const Eigen::VectorXcd forces =
-        vehicle_.stiffness.bottomLeftCorner(series, n) * moved + vehicle_.damping.bottomLeftCorner(series, n) * (rate * moved);
+    const Eigen::VectorXcd forces = vehicle_.stiffness.bottomLeftCorner(series, n) * moved +
+                                    vehicle_.damping.bottomLeftCorner(series, n) * (rate * moved);
     // Diagonal: each series spring has its dashpot.
     const Eigen::VectorXcd rates =
         vehicle_.stiffness.diagonal().tail(series) + rate * vehicle_.damping.diagonal().tail(series);
@@ -89,7 +89,7 @@ const Eigen::MatrixXcd* NeededForce::Remainders(double omega, const Eigen::Matri
   constexpr double kTolerance = 1e-6;
   constexpr int kMostIterations = 60;
   PortCycle& cycle = cycles_.try_emplace(samples, ports_, held_, kHarmonics, samples).first->second;
-  const Eigen::MatrixXcd from = start.size() > 0 ? Eigen::MatrixXcd(driven + start) : driven;
+  const Eigen::MatrixXcd from = start.cols() == driven.cols() && start.rows() == driven.rows() ? Eigen::MatrixXcd(driven + start) : driven;
   if (!cycle.Solve(omega, driven, from, kTolerance, kMostIterations)) return nullptr;
   yielded_ = cycle.extension() - driven;
   return &cycle.remainder();

@@ -35,7 +35,7 @@ class NeededForce {
     return At(frequency_Hz, posts, motion, SamplesFor(frequency_Hz, posts, motion));
   }
   /// With as many samples per cycle as for another motion or model: so that differences are not those of sampling.
-  /// `start`: Yielded() of a motion or a model next to this one; empty: nothing is known.
+  /// `start`: Yielded() of a motion or a model next to this one; that of other ports does not count.
   std::optional<Eigen::VectorXcd> At(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion,
                                      int samples, const Eigen::MatrixXcd& start = {});
 

@@ -285,21 +285,21 @@ ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vect
                   return Evaluate(*vehicle, runs, count, model_error, values, deadline);
                 },
             .structure = std::move(structure)};
-  return {.name = "four-post responses",
-          .count = count,
-          // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
-          .accuracy = kFitBalance.tolerance,
-          .evaluate =
-              [vehicle, runs, count, model_error, integrates](const std::vector<double>& values,
-                                                          const Deadline& deadline) {
-                return Evaluate(*vehicle, runs, count, model_error, values, deadline, integrates);
-              },
-          .differentiate =
-              [vehicle, runs, count, model_error](const std::vector<double>& values,
-                                                  const std::vector<std::size_t>& parameters) {
-                return Differentiate(*vehicle, runs, count, model_error, values, parameters);
-              },
-          .structure = std::move(structure)};
+  return {
+      .name = "four-post responses",
+      .count = count,
+      // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
+      .accuracy = kFitBalance.tolerance,
+      .evaluate =
+          [vehicle, runs, count, model_error, integrates](const std::vector<double>& values, const Deadline& deadline) {
+            return Evaluate(*vehicle, runs, count, model_error, values, deadline, integrates);
+          },
+      .differentiate =
+          [vehicle, runs, count, model_error](const std::vector<double>& values,
+                                              const std::vector<std::size_t>& parameters) {
+            return Differentiate(*vehicle, runs, count, model_error, values, parameters);
+          },
+      .structure = std::move(structure)};
 }
 
 }  // namespace

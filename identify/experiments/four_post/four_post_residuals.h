@@ -19,7 +19,8 @@ namespace fourpost {
 /// - mean strut offsets over the model error of means: they alone distinguish bump from rebound.
 /// `runs` hold only the frequencies to fit. `integrates`: see ModelledResponse().
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
-                                const ModelError& model_error, const std::vector<Calibration>& calibrations = {}, bool integrates = true);
+                                const ModelError& model_error, const std::vector<Calibration>& calibrations = {},
+                                bool integrates = true);
 
 /// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
 /// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.

@@ -98,7 +98,9 @@ TEST(ExperimentDesign, NoOtherIsBetterThanItsCertificateSays) {
 }
 
 TEST(ExperimentDesign, MeetsTargetsInLittleTime) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  constexpr std::uint64_t kSeeds = 30;
+  double ratios = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const std::vector<PossibleRun> runs = RandomRuns(seed);
     const DesignGoal goal{.budget_s = 20, .targets = Eigen::Vector3d(0.4, 1e300, 0.3)};
     const ExperimentDesign design = BestDesign(Weak(3), runs, goal);
@@ -112,8 +114,10 @@ TEST(ExperimentDesign, MeetsTargetsInLittleTime) {
     EXPECT_FALSE(design.efficiency.has_value());
     EXPECT_LE(design.covariance(0, 0), 0.4 * 0.4);
     EXPECT_LE(design.covariance(2, 2), 0.3 * 0.3);
-    EXPECT_LE(design.cost_s, 1.5 * least_s) << seed;
+    ratios += design.cost_s / least_s;
   }
+  // In 300 problems of this kind 1.01 in the mean, and 1.12 by adding and taking away alone.
+  EXPECT_LE(ratios / kSeeds, 1.05);
 }
 
 TEST(ExperimentDesign, SaysThatTargetsAreNotMet) {

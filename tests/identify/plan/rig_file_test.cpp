@@ -41,7 +41,8 @@ want: {k_front: 1 kN/m}
   ASSERT_TRUE(rig.has_value());
   EXPECT_EQ(rig->time_s, 1800);
   ASSERT_EQ(rig->runs.size(), 1U);
-  EXPECT_THAT(rig->runs[0].frequency_Hz, testing::ElementsAre(1, testing::DoubleNear(2, 1e-12), testing::DoubleNear(4, 1e-12)));
+  EXPECT_THAT(rig->runs[0].frequency_Hz,
+              testing::ElementsAre(1, testing::DoubleNear(2, 1e-12), testing::DoubleNear(4, 1e-12)));
   EXPECT_NEAR(rig->runs[0].amplitude.At(1), 5e-3, 1e-15);
   // Other usual limits hold where nothing else is said: 0.15 m/s, 6 m/s^2.
   EXPECT_NEAR(rig->runs[0].amplitude.At(6), 0.15 / (12 * M_PI), 1e-9);
@@ -67,12 +68,24 @@ want: {k_front: 1 kg}
 )")
                    .has_value());
   EXPECT_THAT(diagnostics_, Reports(kRigSensor, 3, {"a_bdy"}));
-  EXPECT_THAT(diagnostics_, Reports(kRigQuantity, 2));
+  EXPECT_THAT(diagnostics_, Reports(kRigNoiseNone, 2));
   EXPECT_THAT(diagnostics_, Reports(kRigRunMode, 5, {"pich"}));
   EXPECT_THAT(diagnostics_, Reports(kRigRunBand, 5));
   EXPECT_THAT(diagnostics_, Reports(kRigRunTwice, 7, {"heave"}));
   EXPECT_THAT(diagnostics_, Reports(kRigMeasurementParameter, 9, {"m_sprng", "m_sprung"}));
   EXPECT_THAT(diagnostics_, Reports(kRigQuantity, 10, {"k_front"}));
+}
+
+TEST_F(RigFileTest, ListsAreLists) {
+  EXPECT_FALSE(Read("sensors: a_body_front\nmeasurements: {parameter: m_sprung, sd: 1 %, time: 10 min}\n").has_value());
+  EXPECT_THAT(diagnostics_, Reports(kRigListNone, 1, {"sensors"}));
+  EXPECT_THAT(diagnostics_, Reports(kRigListNone, 2, {"measurements"}));
+  EXPECT_FALSE(Read("sensors: []\n").has_value());
+}
+
+TEST_F(RigFileTest, NamesAPostOfTheVehicle) {
+  EXPECT_FALSE(Read("runs: [{mode: 'XX=1'}]\n").has_value());
+  EXPECT_THAT(diagnostics_, ReportsOnly(kRigRunMode, 1, {"XX=1", '`' + vehicle_.posts[0].name + "=1`"}));
 }
 
 TEST_F(RigFileTest, TheUsualRigMovesAsThePostsCan) {

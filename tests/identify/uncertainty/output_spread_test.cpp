@@ -72,9 +72,8 @@ TEST(OutputSpread, RefusesDerivativesThatDifferencesDeny) {
   Eigen::Matrix2d one_sided;
   one_sided << 800, 4000, 2e5, 0;
   EXPECT_FALSE(OutputDerivativesHold(Spread(), one_sided, Kinked));
-  EXPECT_FALSE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(800, 4000), [](const Eigen::VectorXd&) {
-    return Eigen::VectorXd();
-  }));
+  EXPECT_FALSE(OutputDerivativesHold(Spread(), Eigen::RowVector2d(800, 4000),
+                                     [](const Eigen::VectorXd&) { return Eigen::VectorXd(); }));
 }
 
 TEST(OutputSpread, SlopesAreThoseOfTheFitVariables) {

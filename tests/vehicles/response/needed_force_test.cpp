@@ -112,8 +112,7 @@ TEST(NeededForce, StartsWhereAnotherOneEnded) {
   const std::vector<double> shape(static_cast<std::size_t>(model.post_stiffness.cols()), 1);
   ContactCycle cycle(model, shape, {});
   ASSERT_TRUE(cycle.Solve(3, 5e-3));
-  const Eigen::MatrixXcd motion =
-      cycle.cycle().Coordinates(NeededForce::kHarmonics).leftCols(model.mass.rows());
+  const Eigen::MatrixXcd motion = cycle.cycle().Coordinates(NeededForce::kHarmonics).leftCols(model.mass.rows());
   NeededForce needed(model, shape);
   const int samples = needed.SamplesFor(3, 5e-3, motion);
   const Eigen::VectorXcd plain = needed.At(3, 5e-3, motion, samples).value();
