@@ -112,7 +112,7 @@ Eigen::VectorXd LargestAmplitudes(const Vehicle& vehicle, const RigFile& rig, co
     for (std::size_t s = 0; s < vehicle.sensors.size(); ++s)
       for (std::size_t f = 0; f < response.frequency_Hz.size(); ++f) {
         const double reference =
-            ReferenceOf(vehicle.sensors[s], rig.runs[r].frequency_Hz[f], answers[r].amplitude_m[f]);
+            ReferenceOf(vehicle.sensors[s].type, rig.runs[r].frequency_Hz[f], answers[r].amplitude_m[f]);
         double& most = largest[static_cast<Index>(s)];
         most = std::max(most, std::abs(response.channels[s].response[f]) * reference);
       }
@@ -140,7 +140,7 @@ PossibleRun ReadingsOf(const Vehicle& vehicle, const RigFile& rig, const RigRun&
       const std::complex<double> phasor = channel.response[f];
       const double gain = std::abs(phasor);
       if (!(gain > 0)) continue;
-      const double reference = ReferenceOf(vehicle.sensors[s], run.frequency_Hz[f], answer.amplitude_m[f]);
+      const double reference = ReferenceOf(vehicle.sensors[s].type, run.frequency_Hz[f], answer.amplitude_m[f]);
       const double sd = rig.noise[s] / reference;
       Eigen::RowVectorXd along(p);
       Eigen::RowVectorXd across(p);

@@ -21,9 +21,9 @@ struct Squares {
 
 }  // namespace
 
-double ReferenceOf(const Sensor& sensor, double frequency_Hz, double amplitude_m) {
+double ReferenceOf(Sensor::Type type, double frequency_Hz, double amplitude_m) {
   const double w = 2 * std::numbers::pi * frequency_Hz;
-  return sensor.type == Sensor::Type::kAccelerometer ? w * w * amplitude_m : amplitude_m;
+  return type == Sensor::Type::kAccelerometer ? w * w * amplitude_m : amplitude_m;
 }
 
 std::vector<double> RecordedNoise(const std::filesystem::path& run, const Vehicle& vehicle) {
@@ -44,7 +44,7 @@ std::vector<double> RecordedNoise(const std::filesystem::path& run, const Vehicl
       if (!f || !a || !sd || !(*sd > 0)) continue;
       for (std::size_t s = 0; s < squares.size(); ++s) {
         if (vehicle.sensors[s].name != table->Text(row, *channel)) continue;
-        const double noise = *sd * ReferenceOf(vehicle.sensors[s], *f, *a);
+        const double noise = *sd * ReferenceOf(vehicle.sensors[s].type, *f, *a);
         squares[s].sum += noise * noise;
         ++squares[s].count;
       }
