@@ -92,9 +92,6 @@ inline const Finding kLimitUnit{"limit-unit", Severity::kError, "{} must be {}"}
 inline const Finding kSettingsShare{"settings-share", Severity::kError, "{} must be a share above 0 % and up to 100 %",
                                     "write it in percent, such as 2 %"};
 
-inline const Finding kSettingsBand{"settings-band", Severity::kError, "{} must be two rising frequencies up to 200 Hz",
-                                   "write `band: [0.5 Hz, 30 Hz]`"};
-
 // What is chosen.
 
 inline const Finding kCarWithoutPosts{"car-without-posts", Severity::kError,

@@ -10,6 +10,7 @@
 #include "analysis/text/number.h"
 #include "identify/choice/findings.h"
 #include "identify/choice/knob_reader.h"
+#include "identify/study_file/frequency_band.h"
 #include "identify/study_file/strict_yaml.h"
 #include "identify/study_file/study_yaml.h"
 #include "vehicles/posts/road.h"
@@ -45,7 +46,10 @@ class SettingsReader {
     ReadObjectives(top);
     ReadLimits(top);
     if (top.Has("certainty")) settings_.certainty = ShareOf(top, "certainty");
-    if (top.Has("band")) ReadBand(top);
+    if (const auto band = top.Has("band") ? ReadFrequencyBand(top) : std::nullopt) {
+      settings_.lower_Hz = band->lower_Hz;
+      settings_.upper_Hz = band->upper_Hz;
+    }
     constexpr double kShortest_s = 5;
     settings_.duration_s = top.Quantity("duration", kTime, kShortest_s).value_or(settings_.duration_s);
     settings_.draws = static_cast<std::size_t>(top.Integer("draws", 20, 10000).value_or(100));
@@ -63,21 +67,6 @@ class SettingsReader {
     if (quantity && quantity->unit_text == "%" && quantity->si > 0 && quantity->si <= 1) return quantity->si;
     map.FaultOf(key, kSettingsShare);
     return 1;
-  }
-
-  void ReadBand(const StrictMap& top) {
-    const YAML::Node node = top.Get("band");
-    if (!node.IsSequence() || node.size() != 2) return top.FaultOf("band", kSettingsBand);
-    const auto end = [&](std::size_t i, const char* what) {
-      return ReadQuantity(node[i], kFrequency, what, top.file(), diagnostics_);
-    };
-    const std::optional<double> lower = end(0, "the lower end of 'band'");
-    const std::optional<double> upper = end(1, "the upper end of 'band'");
-    if (!lower || !upper) return;
-    constexpr double kHighest_Hz = 200;
-    if (!(*lower > 0 && *lower < *upper && *upper <= kHighest_Hz)) return top.FaultOf("band", kSettingsBand);
-    settings_.lower_Hz = *lower;
-    settings_.upper_Hz = *upper;
   }
 
   void ReadRoads(const StrictMap& top) {

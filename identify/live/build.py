@@ -43,7 +43,7 @@ CALLS = ["live_room", "live_answer", "live_fault", "live_open", "live_set", "liv
 
 COMPILE = ["em++", "-std=c++20", "-O2", "-fwasm-exceptions", "-fno-rtti", "-ffunction-sections", "-fdata-sections",
            "-DEIGEN_NO_DEBUG", f"-isystem{EIGEN}", "-I."]
-LINK = ["em++", "-O2", "-fwasm-exceptions", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH",
+LINK = ["em++", "-Os", "-fwasm-exceptions", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH",
         "-sFILESYSTEM=0", "-sEXPORTED_FUNCTIONS=" + ",".join("_" + call for call in CALLS)]
 
 

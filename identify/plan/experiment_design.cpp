@@ -154,11 +154,10 @@ class Designer {
     for (Index c = 0; c < at.size(); ++c) at[c] = repeats_[static_cast<std::size_t>(c)];
     for (int k = 0; k < kIterations; ++k) {
       Eigen::MatrixXd information = known_;
-      for (Index c = 0; c < at.size(); ++c) information += runs_[static_cast<std::size_t>(c)].Information(at[c]);
+      for (Index c = 0; c < at.size(); ++c) information += InformationAt(c, at[c]);
       const Eigen::MatrixXd covariance = Inverse(information);
       Eigen::VectorXd gains(at.size());
-      for (Index c = 0; c < at.size(); ++c)
-        gains[c] = covariance.cwiseProduct(runs_[static_cast<std::size_t>(c)].Gain(at[c])).sum();
+      for (Index c = 0; c < at.size(); ++c) gains[c] = covariance.cwiseProduct(SlopeAt(c, at[c])).sum();
       const Eigen::VectorXd ahead = Knapsack(gains) - at;
       const double gap = gains.dot(ahead);
       bound = std::min(bound, LogDeterminant(information) + gap);
@@ -169,6 +168,23 @@ class Designer {
     }
     // The determinant is that of variances.
     return std::exp(-0.5 * std::max(0.0, bound - own) / p);
+  }
+
+  /// Whole repeats in a number of them, and one more to be had.
+  std::size_t WholeIn(Index run, double repeats) const {
+    const int most = runs_[static_cast<std::size_t>(run)].most_repeats;
+    return static_cast<std::size_t>(std::min(static_cast<int>(repeats), most - 1));
+  }
+  Eigen::MatrixXd SlopeAt(Index run, double repeats) const {
+    const std::vector<Eigen::MatrixXd>& of_run = informations_[static_cast<std::size_t>(run)];
+    const std::size_t whole = WholeIn(run, repeats);
+    return of_run[whole + 1] - of_run[whole];
+  }
+  /// Linear between whole repeats.
+  Eigen::MatrixXd InformationAt(Index run, double repeats) const {
+    const std::size_t whole = WholeIn(run, repeats);
+    return informations_[static_cast<std::size_t>(run)][whole] +
+           (repeats - static_cast<double>(whole)) * SlopeAt(run, repeats);
   }
 
   const Eigen::MatrixXd& known_;
@@ -182,14 +198,9 @@ class Designer {
 
 }  // namespace
 
-Eigen::MatrixXd PossibleRun::Information(double repeats) const {
-  if (!(repeats > 0)) return Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
+Eigen::MatrixXd PossibleRun::Information(int repeats) const {
+  if (repeats == 0) return Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
   const Eigen::VectorXd weights = (noise / repeats + floor).cwiseInverse();
-  return slopes.transpose() * weights.asDiagonal() * slopes;
-}
-
-Eigen::MatrixXd PossibleRun::Gain(double repeats) const {
-  const Eigen::VectorXd weights = (noise + repeats * floor).array().square().inverse() * noise.array();
   return slopes.transpose() * weights.asDiagonal() * slopes;
 }
 

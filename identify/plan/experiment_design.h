@@ -21,9 +21,7 @@ struct PossibleRun {
   Eigen::VectorXd floor;
 
   /// Inverse covariance of the parameters that this many repeats give, p x p.
-  Eigen::MatrixXd Information(double repeats) const;
-  /// Its derivative by the number of repeats there.
-  Eigen::MatrixXd Gain(double repeats) const;
+  Eigen::MatrixXd Information(int repeats) const;
 };
 
 struct DesignGoal {
@@ -51,8 +49,9 @@ struct ExperimentDesign {
 /// second, then exchanged one for another as long as that helps (Fedorov, Theory of optimal experiments, 1972); with
 /// targets also in less and less time, until some attempts in a row miss one. The certificate is that of the
 /// equivalence theorem (Kiefer and Wolfowitz 1960) with costs: the logarithm of the determinant is concave in the
-/// numbers of repeats, so that its tangent anywhere bounds it; the least bound on the way to the best design of parts
-/// of repeats (Frank and Wolfe 1956) counts. `known`: inverse covariance without any run; it must be positive definite.
+/// numbers of repeats, of which parts count as much of what a whole one gives, so that its tangent anywhere bounds it;
+/// the least bound on the way to the best design of parts (Frank and Wolfe 1956) counts. `known`: inverse covariance
+/// without any run; it must be positive definite.
 ExperimentDesign BestDesign(const Eigen::MatrixXd& known, const std::vector<PossibleRun>& runs, const DesignGoal& goal);
 
 /// Covariance with these repeats.

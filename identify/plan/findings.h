@@ -10,8 +10,6 @@ inline const Finding kRigRunsNone{"rig-runs-none", Severity::kError, "'runs' mus
 inline const Finding kRigRunMode{"rig-run-mode", Severity::kError,
                                  "{} is '{}', in which the posts of this vehicle cannot move",
                                  "write heave, pitch, roll, warp, or the shares of posts as in `{}=1`"};
-inline const Finding kRigRunBand{"rig-run-band", Severity::kError, "{} must be two rising frequencies up to 200 Hz",
-                                 "write `band: [0.5 Hz, 30 Hz]`"};
 inline const Finding kRigRunTwice{"rig-run-twice", Severity::kError, "'{}' is there twice",
                                   "give one of them another `name`, or remove it"};
 inline const Finding kRigMeasurementParameter{"rig-measurement-parameter", Severity::kError,
@@ -32,6 +30,9 @@ inline const Finding kPlanWithoutPosts{"plan-without-posts", Severity::kError,
 inline const Finding kPlanWithoutParameters{"plan-without-parameters", Severity::kError,
                                             "there is no parameter to determine",
                                             "give parameters a range, or name the folder of a fit"};
+inline const Finding kPlanLeftOut{"plan-left-out", Severity::kWarning,
+                                  "{} have no standard deviation in the fit, and the plan leaves them as they are",
+                                  "fit again with wider bounds, or plan for its vehicle.urdf, by their ranges"};
 inline const Finding kPlanNothingAffordable{"plan-nothing-affordable", Severity::kError,
                                             "no run takes less than {}, the time that there is",
                                             "allow more time, or give runs fewer frequencies or a narrower band"};

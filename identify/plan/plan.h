@@ -60,6 +60,8 @@ struct PlannedRun {
 struct Plan {
   std::string subject;
   bool is_interrupted = false;
+  /// Whether what is known before is what the noise of a fit allows.
+  bool is_of_fit = false;
   Vehicle vehicle;
   RigFile rig;
   std::vector<PlannedRun> runs;

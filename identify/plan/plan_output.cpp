@@ -160,8 +160,9 @@ std::string PlanText(const Plan& plan) {
   if (plan.gain_over_even > 1.005)
     text += "The same time shared evenly over all runs makes them " + Rounded(plan.gain_over_even, 3) +
             " times as large.\n";
-  return text +
-         "Standard deviations are those of noise and of the stated model error, for a model that lacks nothing.\n";
+  text += "Standard deviations are those of noise and of the stated model error, for a model that lacks nothing.\n";
+  if (plan.is_of_fit) text += "Those now are what the fit allows for noise alone; its intervals allow for more.\n";
+  return text;
 }
 
 Json PlanJson(const Plan& plan) {

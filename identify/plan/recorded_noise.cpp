@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <system_error>
 
 #include "analysis/files/csv.h"
+#include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
 namespace {
@@ -20,11 +20,6 @@ struct Squares {
 };
 
 }  // namespace
-
-double ReferenceOf(Sensor::Type type, double frequency_Hz, double amplitude_m) {
-  const double w = 2 * std::numbers::pi * frequency_Hz;
-  return type == Sensor::Type::kAccelerometer ? w * w * amplitude_m : amplitude_m;
-}
 
 std::vector<double> RecordedNoise(const std::filesystem::path& run, const Vehicle& vehicle) {
   std::vector<Squares> squares(vehicle.sensors.size());
@@ -44,7 +39,7 @@ std::vector<double> RecordedNoise(const std::filesystem::path& run, const Vehicl
       if (!f || !a || !sd || !(*sd > 0)) continue;
       for (std::size_t s = 0; s < squares.size(); ++s) {
         if (vehicle.sensors[s].name != table->Text(row, *channel)) continue;
-        const double noise = *sd * ReferenceOf(vehicle.sensors[s].type, *f, *a);
+        const double noise = *sd * *a * std::abs(ReferencePerMetre(vehicle.sensors[s].type, *f));
         squares[s].sum += noise * noise;
         ++squares[s].count;
       }

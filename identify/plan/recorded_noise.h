@@ -7,10 +7,6 @@
 
 namespace fourpost {
 
-/// Amplitude of the reference post as a channel's response counts it: of its acceleration for accelerometers, else of
-/// its height [SI].
-double ReferenceOf(Sensor::Type type, double frequency_Hz, double amplitude_m);
-
 /// Standard deviation of an amplitude that the recordings of a fit show, by sensor, SI: the root mean square over the
 /// frequencies of the channel with its name in response.csv. NaN for a sensor without one, or without repeats.
 std::vector<double> RecordedNoise(const std::filesystem::path& run, const Vehicle& vehicle);

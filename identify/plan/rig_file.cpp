@@ -10,6 +10,7 @@
 #include "analysis/text/known_names.h"
 #include "analysis/text/units.h"
 #include "identify/plan/findings.h"
+#include "identify/study_file/frequency_band.h"
 #include "identify/study_file/strict_yaml.h"
 #include "identify/study_file/study_yaml.h"
 #include "vehicles/requests/amplitude_limits.h"
@@ -28,11 +29,10 @@ struct UsualBand {
   double upper_Hz;
   int frequencies;
 };
-/// All of it, and its parts about the body's modes, between, and about the wheels'.
-constexpr std::array<UsualBand, 4> kUsualBands = {{{"", kLowest_Hz, kHighest_Hz, kFrequencies},
-                                                   {" to 4 Hz", kLowest_Hz, 4, 20},
-                                                   {" 4 to 9 Hz", 4, 9, 10},
-                                                   {" from 9 Hz", 9, kHighest_Hz, 16}}};
+/// About the body's modes, between, and about the wheels'. They do not overlap: what the model lacks at a frequency is the
+/// same in another run there, and would count as new.
+constexpr std::array<UsualBand, 3> kUsualBands = {
+    {{" to 4 Hz", kLowest_Hz, 4, 20}, {" 4 to 9 Hz", 4.2, 9, 10}, {" from 9 Hz", 9.5, kHighest_Hz, 15}}};
 
 AmplitudeLaw Scaled(AmplitudeLaw law, double factor) {
   law.displacement_m *= factor;
@@ -83,7 +83,8 @@ class RigReader {
         rig_.file.string(), diagnostics_);
     ReadSensors(top);
     if (top.Has("noise")) ReadNoise(top);
-    if (top.Has("model_error")) ReadModelError(top);
+    rig_.states_model_error = top.Has("model_error");
+    rig_.model_error = ReadModelError(top);
     if (top.Has("runs")) ReadRuns(top);
     if (top.Has("measurements")) ReadMeasurements(top);
     if (top.Has("want")) ReadWanted(top);
@@ -132,17 +133,6 @@ class RigReader {
     }
   }
 
-  void ReadModelError(const StrictMap& top) {
-    const StrictMap map = top.Map("model_error", {"gain", "phase", "mean"});
-    if (map.Has("gain")) {
-      const std::optional<Quantity> gain = ParseQuantity(ScalarOf(map.Get("gain")));
-      if (gain && gain->unit_text == "%" && gain->si >= 0 && gain->si < 1) rig_.gain_error = gain->si;
-      else map.FaultOf("gain", kRigQuantity, {"%"});
-    }
-    rig_.phase_error_rad = map.Quantity("phase", kDimensionless, 0).value_or(rig_.phase_error_rad);
-    rig_.mean_error_m = map.Quantity("mean", kLength, 0).value_or(rig_.mean_error_m);
-  }
-
   void ReadRuns(const StrictMap& top) {
     const YAML::Node node = top.Get("runs");
     if (!node.IsSequence() || node.size() == 0) return top.Fault(node, kRigRunsNone);
@@ -165,11 +155,10 @@ class RigReader {
     Diagnostics faults;
     run.shape = ReadPostShape(mode, vehicle_, faults);
     if (faults.HasErrors()) map.FaultOf("mode", kRigRunMode, {mode, vehicle_.posts.front().name});
-    double lower = kLowest_Hz;
-    double upper = kHighest_Hz;
-    if (map.Has("band")) ReadBand(map, lower, upper);
-    run.frequency_Hz =
-        Spread(lower, upper, static_cast<int>(map.Integer("frequencies", 2, 1000).value_or(kFrequencies)));
+    const FrequencyBand usual = {kLowest_Hz, kHighest_Hz};
+    const FrequencyBand band = map.Has("band") ? ReadFrequencyBand(map).value_or(usual) : usual;
+    run.frequency_Hz = Spread(band.lower_Hz, band.upper_Hz,
+                              static_cast<int>(map.Integer("frequencies", 2, 1000).value_or(kFrequencies)));
     const LimitText limits = {.amplitude = map.Text("amplitude").value_or(""),
                               .velocity = map.Text("velocity").value_or(""),
                               .acceleration = map.Text("acceleration").value_or("")};
@@ -189,18 +178,6 @@ class RigReader {
   static std::string BandText(const StrictMap& map) {
     const YAML::Node node = map.Get("band");
     return node.IsSequence() && node.size() == 2 ? ScalarOf(node[0]) + " .. " + ScalarOf(node[1]) : "";
-  }
-
-  void ReadBand(const StrictMap& map, double& lower, double& upper) {
-    constexpr double kMost_Hz = 200;
-    const YAML::Node node = map.Get("band");
-    if (!node.IsSequence() || node.size() != 2) return map.FaultOf("band", kRigRunBand);
-    const std::optional<double> first = ReadQuantity(node[0], kFrequency, "'band'", map.file(), diagnostics_);
-    const std::optional<double> last = ReadQuantity(node[1], kFrequency, "'band'", map.file(), diagnostics_);
-    if (!first || !last) return;
-    if (!(*first > 0 && *first < *last && *last <= kMost_Hz)) return map.FaultOf("band", kRigRunBand);
-    lower = *first;
-    upper = *last;
   }
 
   /// Of a parameter to determine; null, after a fault, for another one.
@@ -288,7 +265,7 @@ RigFile UsualRig(const Vehicle& vehicle) {
                             .shape = shape,
                             .frequency_Hz = Spread(band.lower_Hz, band.upper_Hz, band.frequencies),
                             .amplitude = is_large ? kUsualAmplitude : Scaled(kUsualAmplitude, 1.0 / 3),
-                            .is_usual = is_large && band.frequencies == kFrequencies});
+                            .is_usual = is_large});
   }
   return rig;
 }

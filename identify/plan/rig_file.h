@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
+#include "identify/study_file/model_error.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/amplitude_law.h"
 
@@ -49,10 +50,9 @@ struct RigFile {
   /// By sensor: whether it is read.
   std::vector<bool> is_read;
   bool states_sensors = false;
-  /// What repeats do not average out: shares of a phasor along and across it, and of mean offsets [m].
-  double gain_error = 0.01;
-  double phase_error_rad = 0.0174533;
-  double mean_error_m = 1e-4;
+  /// What repeats do not average out, as in a study.
+  ModelError model_error;
+  bool states_model_error = false;
   /// Cycles of each frequency that are measured, after as many as the car needs to settle.
   int cycles = 10;
   int most_repeats = 10;
@@ -67,8 +67,8 @@ struct RigFile {
   double TimeOf(const RigRun& run) const;
 };
 
-/// What is assumed of a rig without a file: heave, pitch and roll, as far as the posts can make them, with the usual
-/// amplitudes and with a third of them: 40 frequencies from 0.5 to 30 Hz, and parts of that band.
+/// What is assumed of a rig without a file: heave, pitch and roll, as far as the posts can make them, in three parts of
+/// 0.5 to 30 Hz, with the usual amplitudes and with a third of them.
 RigFile UsualRig(const Vehicle& vehicle);
 
 /// Reads the text of a rig's file. `determined`: places of the parameters to determine. Adds every fault with file and

@@ -127,4 +127,7 @@ inline const Finding kCalibrationDelayAtRest{"calibration-delay-at-rest", Severi
                                              "'static_loads' cannot be late: they are read at rest",
                                              "remove it from 'delay'"};
 
+inline const Finding kBandOutOfRange{"band-out-of-range", Severity::kError,
+                                     "{} must be two rising frequencies up to 200 Hz", "write `band: [0.5 Hz, 30 Hz]`"};
+
 }  // namespace fourpost

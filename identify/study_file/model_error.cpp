@@ -1,6 +1,7 @@
 #include "identify/study_file/model_error.h"
 
 #include "identify/study_file/findings.h"
+#include "identify/study_file/study_yaml.h"
 
 namespace fourpost {
 
@@ -16,6 +17,13 @@ ModelError ReadModelError(const StrictMap& study) {
   error.history = map.Quantity("history", kDimensionless, 0).value_or(error.history);
   if (error.mean_m == 0) map.FaultOf("mean", kKeyNotPositive);
   return error;
+}
+
+ModelError ModelErrorOf(const std::string& study_text) {
+  Diagnostics ignored;
+  const std::optional<YAML::Node> root = ReadYaml(study_text, "", ignored);
+  if (!root || !root->IsMap()) return {};
+  return ReadModelError(StrictMap(*root, "study", {"model_error"}, "", ignored));
 }
 
 }  // namespace fourpost

@@ -22,4 +22,7 @@ struct ModelError {
 /// What stands under 'model_error' of a study; the defaults without.
 ModelError ReadModelError(const StrictMap& study);
 
+/// The same of a study's text, which has been read without fault before; the defaults where it cannot be read.
+ModelError ModelErrorOf(const std::string& study_text);
+
 }  // namespace fourpost

@@ -112,6 +112,7 @@ class Suggester {
     trials.reserve(additions.size());
     for (Addition& addition : additions) trials.push_back({.addition = std::move(addition)});
     const bool integrates = !BalancesAlone();
+    ++result_.evaluations;
     // One after the other: libraries that read vehicles report faults in one place.
     for (Trial& trial : trials) {
       hooks_.Show("suggest: reading " + std::to_string(&trial - trials.data() + 1) + " of " +

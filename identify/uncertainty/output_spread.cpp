@@ -65,7 +65,8 @@ bool OutputDerivativesHold(const ParameterSpread& spread, const Eigen::MatrixXd&
     for (Eigen::Index k = 0; k < direction.size(); ++k) {
       const Eigen::Index j = spread.judged[static_cast<std::size_t>(k)];
       const double room = std::min(variables.upper()[j] - centre[j], centre[j] - variables.lower()[j]);
-      direction[k] = std::min(StepOf(spread, k), room) * (k / turns % 2 == 1 ? -1 : 1);
+      if (room < StepOf(spread, k)) return false;
+      direction[k] = StepOf(spread, k) * (k / turns % 2 == 1 ? -1 : 1);
       above[j] += direction[k];
       below[j] -= direction[k];
     }

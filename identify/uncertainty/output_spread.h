@@ -23,7 +23,7 @@ Eigen::VectorXd JudgedSlopes(const ParameterSpread& spread);
 
 /// Whether such a Jacobian that the model supplies itself may stand for one by differences: central differences along
 /// two directions, in which every parameter moves by a tenth of its deviation, agree with it to within 5 % of that
-/// change, each output over its deviation. Four evaluations.
+/// change, each output over its deviation. Four evaluations. Not next to a bound.
 bool OutputDerivativesHold(const ParameterSpread& spread, const Eigen::MatrixXd& jacobian, const OutputsOf& outputs_of);
 
 /// Variances of the outputs, J S J' on its diagonal, to first order (Gauss).

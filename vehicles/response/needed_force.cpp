@@ -16,7 +16,8 @@ NeededForce::NeededForce(const CondensedModel& model, const std::vector<double>&
       shape_(Eigen::Map<const Eigen::VectorXd>(shape.data(), static_cast<Eigen::Index>(shape.size()))),
       vehicle_(model, LinearVehicle::Rates::kCentre),
       ports_(PortsOf(model)),
-      held_(model, ports_, shape, Receptance::Coordinates::kHeld) {}
+      held_(model, ports_, shape, Receptance::Coordinates::kHeld),
+      are_apart_(AreApart(ports_, vehicle_.series())) {}
 
 int NeededForce::SamplesFor(double frequency_Hz, std::complex<double> posts, const Eigen::MatrixXcd& motion) const {
   constexpr int kSmooth = 4 * kHarmonics + 4;
@@ -89,24 +90,25 @@ const Eigen::MatrixXcd* NeededForce::Remainders(double omega, const Eigen::Matri
   constexpr double kTolerance = 1e-6;
   constexpr int kMostIterations = 60;
   PortCycle& cycle = cycles_.try_emplace(samples, ports_, held_, kHarmonics, samples).first->second;
-  const Eigen::MatrixXcd from = start.cols() == driven.cols() && start.rows() == driven.rows() ? Eigen::MatrixXcd(driven + start) : driven;
+  const Eigen::MatrixXcd from =
+      start.cols() == driven.cols() && start.rows() == driven.rows() ? Eigen::MatrixXcd(driven + start) : driven;
   if (!cycle.Solve(omega, driven, from, kTolerance, kMostIterations)) return nullptr;
   yielded_ = cycle.extension() - driven;
   return &cycle.remainder();
 }
 
-bool NeededForce::AreApart() const {
-  const auto series = [&](std::size_t port) { return ports_[port].direction.tail(vehicle_.series()).cwiseAbs(); };
-  for (std::size_t j = 0; j < ports_.size(); ++j)
+bool NeededForce::AreApart(const std::vector<Port>& ports, Eigen::Index series) {
+  const auto share = [&](std::size_t port) { return ports[port].direction.tail(series).cwiseAbs(); };
+  for (std::size_t j = 0; j < ports.size(); ++j)
     for (std::size_t k = 0; k < j; ++k)
-      if (series(j).dot(series(k)) > 0) return false;
+      if (share(j).dot(share(k)) > 0) return false;
   return true;
 }
 
 /// Coordinates are given, so that the force of each port follows its own extension: all of them are moved at once.
 std::optional<Eigen::MatrixXd> NeededForce::Slope(double frequency_Hz, std::complex<double> posts,
                                                   const Eigen::MatrixXcd& motion, int samples, double step) {
-  if (!AreApart()) return SlopeByCoordinates(frequency_Hz, posts, motion, samples, step);
+  if (!are_apart_) return SlopeByCoordinates(frequency_Hz, posts, motion, samples, step);
   const double omega = 2 * std::numbers::pi * frequency_Hz;
   const Eigen::Index n = model_.mass.rows();
   const Eigen::Index series = vehicle_.series();

@@ -56,7 +56,7 @@ class NeededForce {
   const Eigen::MatrixXcd* Remainders(double omega, const Eigen::MatrixXcd& driven, int samples,
                                      const Eigen::MatrixXcd& start);
   /// Whether no two ports share a series spring: then each one's force depends on its own driven extension alone.
-  bool AreApart() const;
+  static bool AreApart(const std::vector<Port>& ports, Eigen::Index series);
   std::optional<Eigen::MatrixXd> SlopeByCoordinates(double frequency_Hz, std::complex<double> posts,
                                                     const Eigen::MatrixXcd& motion, int samples, double step);
   /// Of all harmonics, for motion s, with the series springs' extensions as in the linear vehicle: [s x].
@@ -70,6 +70,7 @@ class NeededForce {
   Receptance held_;
   /// By their samples.
   std::map<int, PortCycle> cycles_;
+  bool are_apart_;
   Eigen::MatrixXcd yielded_;
 };
 

@@ -16,6 +16,11 @@ std::string UnitOf(Sensor::Type type) {
   return "";
 }
 
+double ReferencePerMetre(Sensor::Type type, double frequency_Hz) {
+  const double omega = 2 * std::numbers::pi * frequency_Hz;
+  return type == Sensor::Type::kAccelerometer ? -omega * omega : 1;
+}
+
 ResponseRecorder::ResponseRecorder(const std::vector<Sensor>& sensors, const Excitation& excitation) {
   response_.frequency_Hz = excitation.frequency_Hz;
   response_.amplitude_m = excitation.amplitude_m;
@@ -28,16 +33,15 @@ ResponseRecorder::ResponseRecorder(const std::vector<Sensor>& sensors, const Exc
     channel.mean.resize(points);
     channel.second_harmonic.resize(points);
     response_.channels.push_back(std::move(channel));
-    relative_to_acceleration_.push_back(sensor.type == Sensor::Type::kAccelerometer);
+    types_.push_back(sensor.type);
   }
 }
 
 void ResponseRecorder::Record(std::size_t frequency_index, const SensorHarmonics& harmonics) {
   const double amplitude = response_.amplitude_m[frequency_index];
-  const double omega = 2 * std::numbers::pi * response_.frequency_Hz[frequency_index];
   for (std::size_t i = 0; i < response_.channels.size(); ++i) {
     const Eigen::Index row = static_cast<Eigen::Index>(i);
-    const double reference = relative_to_acceleration_[i] ? -omega * omega * amplitude : amplitude;
+    const double reference = ReferencePerMetre(types_[i], response_.frequency_Hz[frequency_index]) * amplitude;
     ChannelResponse& channel = response_.channels[i];
     channel.response[frequency_index] = harmonics(row, 1) / reference;
     channel.mean[frequency_index] = harmonics(row, 0).real();

@@ -14,6 +14,10 @@ namespace fourpost {
 /// Unit of a sensor's readings: "m/s^2", "m", "N", "rad/s".
 std::string UnitOf(Sensor::Type type);
 
+/// What responses of such a sensor are relative to, per metre of the reference post's amplitude: its acceleration,
+/// -w^2, for accelerometers, else its height, 1.
+double ReferencePerMetre(Sensor::Type type, double frequency_Hz);
+
 /// Harmonics of every sensor at one frequency: sensors x (0, 1, 2, ...), y(t) = Re sum_h Y_h exp(i h w t).
 using SensorHarmonics = Eigen::MatrixXcd;
 
@@ -34,7 +38,7 @@ class ResponseRecorder {
 
  private:
   FrequencyResponse response_;
-  std::vector<bool> relative_to_acceleration_;
+  std::vector<Sensor::Type> types_;
 };
 
 }  // namespace fourpost

@@ -63,11 +63,8 @@ Json ChannelJson(const ComparedChannel& channel) {
 
 /// What residuals are weighed by beside the scatter of the repeats, for a page that computes them anew.
 Json ModelErrorJson(const RunFolder& run) {
-  ModelError error;
-  Diagnostics faults;
   const std::string* study = run.Find("study.yaml");
-  if (const auto root = study ? ReadYaml(*study, "study.yaml", faults) : std::nullopt; root && root->IsMap())
-    error = ReadModelError(StrictMap(*root, "study", {"model_error"}, "study.yaml", faults));
+  const ModelError error = study ? ModelErrorOf(*study) : ModelError();
   return {{"gain_dB", error.gain_dB}, {"phase_rad", error.phase_rad}, {"mean_m", error.mean_m}, {"floor", error.floor}};
 }
 

@@ -79,6 +79,8 @@ std::optional<Eigen::MatrixXd> OwnJacobian(const Subject& subject, const Measure
     return jacobian;
   } catch (const std::runtime_error&) {
     return std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
   }
 }
 

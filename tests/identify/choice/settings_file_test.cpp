@@ -197,7 +197,7 @@ TEST_F(SettingsFileTest, NamesFaultsOfRoadsObjectivesAndLimits) {
   EXPECT_THAT(Faults(knob + "limits: {grip: {most: 30}}\n"), Reports(kLimitUnit, 2, {"%"}));
   EXPECT_THAT(Faults(knob + "limits: {travel: {most: 10 mm, least: 20 mm}}\n"), Reports(kLimitReversed, 2));
   EXPECT_THAT(Faults(knob + "certainty: 0.9\n"), Reports(kSettingsShare, 2));
-  EXPECT_THAT(Faults(knob + "band: [20 Hz, 10 Hz]\n"), Reports(kSettingsBand, 2));
+  EXPECT_THAT(Faults(knob + "band: [20 Hz, 10 Hz]\n"), Reports(kBandOutOfRange, 2));
   EXPECT_THAT(Faults(knob + "draws: 1\n"), Reports(kKeyNotInteger, 2));
 }
 

@@ -48,14 +48,14 @@ MeasuredRun RecordingOf(const Vehicle& vehicle, const CondensedModel& model, con
   return recording;
 }
 
-// The same covariance by the residuals of a study, whose code shares the balance alone. A gain error of a study is in
-// dB; ranges of parameters weigh less than a thousandth of what is measured. The derivatives are the same.
+// The same covariance by the residuals of a study, whose code shares the balance alone. Ranges of parameters weigh less
+// than a thousandth of what is measured. The derivatives are the same.
 TEST(Plan, PromisesWhatAFitWouldState) {
   const TemporaryFolder folder;
   folder.Write("rig.yaml", R"(time: 10 min
 repeats: 1
 noise: {acceleration: 0.02 m/s^2, displacement: 0.05 mm, force: 10 N}
-model_error: {gain: 1 %, phase: 1 deg, mean: 0.05 mm}
+model_error: {gain_dB: 0.1, phase: 1 deg, mean: 0.05 mm, floor: 0.02}
 runs: [{mode: heave, band: [0.5 Hz, 20 Hz], frequencies: 25, amplitude: 8 mm}]
 )");
   const Vehicle vehicle = ShippedVehicle("landrover110_model1");
@@ -68,11 +68,9 @@ runs: [{mode: heave, band: [0.5 Hz, 20 Hz], frequencies: 25, amplitude: 8 mm}]
   for (const PlannedParameter& one : plan.parameters)
     for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
       if (vehicle.parameters[i].name == one.name) free.push_back(i);
-  const ModelError error{.gain_dB = 20 * std::log10(1.01),
-                         .phase_rad = M_PI / 180,
-                         .mean_m = std::hypot(kNoise_m, 5e-5),
-                         .second_harmonic_m = 0,
-                         .floor = 0};
+  ModelError error = plan.rig.model_error;
+  // Of a plan noise blurs mean offsets too.
+  error.mean_m = std::hypot(kNoise_m, error.mean_m);
   const ResidualBlock block = FourPostResiduals(car, {RecordingOf(vehicle, car->At(values), plan.rig.runs[0])}, error);
   const Eigen::MatrixXd jacobian = block.differentiate(values, free);
   Eigen::MatrixXd information = jacobian.transpose() * jacobian;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "identify/plan/findings.h"
+#include "identify/study_file/findings.h"
 #include "tests/findings.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
@@ -70,7 +71,7 @@ want: {k_front: 1 kg}
   EXPECT_THAT(diagnostics_, Reports(kRigSensor, 3, {"a_bdy"}));
   EXPECT_THAT(diagnostics_, Reports(kRigNoiseNone, 2));
   EXPECT_THAT(diagnostics_, Reports(kRigRunMode, 5, {"pich"}));
-  EXPECT_THAT(diagnostics_, Reports(kRigRunBand, 5));
+  EXPECT_THAT(diagnostics_, Reports(kBandOutOfRange, 5));
   EXPECT_THAT(diagnostics_, Reports(kRigRunTwice, 7, {"heave"}));
   EXPECT_THAT(diagnostics_, Reports(kRigMeasurementParameter, 9, {"m_sprng", "m_sprung"}));
   EXPECT_THAT(diagnostics_, Reports(kRigQuantity, 10, {"k_front"}));

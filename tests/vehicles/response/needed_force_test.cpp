@@ -121,5 +121,27 @@ TEST(NeededForce, StartsWhereAnotherOneEnded) {
   EXPECT_LT((started - plain).norm(), 1e-4 * model.mass.norm() * motion.row(1).norm() * 19 * 19);
 }
 
+// A damper that is alike in bump and rebound is linear, and no port; one next to it is.
+TEST(NeededForce, TakesNoStartOfOtherPorts) {
+  const auto model_with = [](double rebound) {
+    Vehicle car = Describe(BilinearCar());
+    car.dampers[0].law.compression = {1000};
+    car.dampers[0].law.rebound = {rebound};
+    return ModelOf(car);
+  };
+  const CondensedModel alike = model_with(1000);
+  const CondensedModel bilinear = model_with(1500);
+  ContactCycle cycle(bilinear, {1}, {});
+  ASSERT_TRUE(cycle.Solve(2, 0.01));
+  const Eigen::MatrixXcd motion = cycle.cycle().Coordinates(NeededForce::kHarmonics).leftCols(2);
+  NeededForce first(alike, {1});
+  NeededForce second(bilinear, {1});
+  const int samples = second.SamplesFor(2, 0.01, motion);
+  ASSERT_TRUE(first.At(2, 0.01, motion, samples).has_value());
+  const Eigen::VectorXcd plain = second.At(2, 0.01, motion, samples).value();
+  const Eigen::VectorXcd started = second.At(2, 0.01, motion, samples, first.Yielded()).value();
+  EXPECT_LT((started - plain).norm(), 1e-6 * bilinear.mass.norm() * motion.row(1).norm());
+}
+
 }  // namespace
 }  // namespace fourpost
