@@ -76,6 +76,16 @@ TEST(OutputSpread, RefusesDerivativesThatDifferencesDeny) {
                                      [](const Eigen::VectorXd&) { return Eigen::VectorXd(); }));
 }
 
+// There is no room for central differences: what is one-sided there would go unseen.
+TEST(OutputSpread, RefusesDerivativesNextToABound) {
+  ParameterSpread spread = Spread();
+  spread.values[0] = 1.0005;
+  const auto outputs = [](const Eigen::VectorXd& p) -> Eigen::VectorXd { return Eigen::VectorXd::Constant(1, p[0]); };
+  EXPECT_FALSE(OutputDerivativesHold(spread, Eigen::RowVector2d(1.0005, 0), outputs));
+  spread.values[0] = 20;
+  EXPECT_TRUE(OutputDerivativesHold(spread, Eigen::RowVector2d(20, 0), outputs));
+}
+
 TEST(OutputSpread, SlopesAreThoseOfTheFitVariables) {
   const Eigen::VectorXd slopes = JudgedSlopes(Spread());
   EXPECT_EQ(slopes, Eigen::Vector2d(20, 10));
