@@ -79,6 +79,9 @@ class CondensedStepper {
   long unsolved_steps() const { return unsolved_steps_; }
 
  private:
+  /// Differentiates the step as it is.
+  friend class MotionSensitivity;
+
   void MakeStepMatrices();
   void MakeForceMatrices();
   void MakePortRows(const CondensedModel& model);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/numerics/decompositions.h"
+
 namespace fourpost {
 namespace {
 
@@ -85,24 +87,43 @@ double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::Vecto
   return residual_.head(active_).allFinite() ? largest : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::pair<double, double> PortSolver::SlopesOf(Eigen::Index j) const {
+  const auto port = static_cast<std::size_t>(j);
+  if (hydraulics_[port]) return {hydraulics_[port]->ByExtension(), hydraulics_[port]->ByLag()};
+  std::pair<double, double> slopes;
+  RemainderSlopes(laws_[port], One(extension_, j), One(rate_, j), {&slopes.first, 1}, {&slopes.second, 1});
+  return slopes;
+}
+
 /// jacobian step = residual, jacobian = 1 - slopes compliance.
 void PortSolver::NewtonStep() {
   step_ = residual_;
   for (Eigen::Index j = 0; j < active_; ++j) {
-    double by_extension = 0;
-    double by_rate = 0;
-    const auto port = static_cast<std::size_t>(j);
-    if (hydraulics_[port]) {
-      by_extension = hydraulics_[port]->ByExtension();
-      by_rate = hydraulics_[port]->ByLag();
-    } else {
-      RemainderSlopes(laws_[port], One(extension_, j), One(rate_, j), {&by_extension, 1}, {&by_rate, 1});
-    }
+    const auto [by_extension, by_rate] = SlopesOf(j);
     jacobian_.row(j).head(active_) =
         -by_extension * by_extension_.row(j).head(active_) - by_rate * by_rate_.row(j).head(active_);
     jacobian_(j, j) += 1;
   }
   SolveInPlace(active_, jacobian_, step_);
+}
+
+double PortSolver::Departure(Eigen::Index port, const PortLaw& law) const {
+  double force = 0;
+  Remainders(law, One(extension_, port), One(rate_, port), {&force, 1});
+  return force - law_[port];
+}
+
+void PortSolver::Change(const Eigen::Ref<const Eigen::MatrixXd>& extension,
+                        const Eigen::Ref<const Eigen::MatrixXd>& rate, Eigen::Ref<Eigen::MatrixXd> forces) const {
+  const Eigen::Index count = forces.rows();
+  Eigen::MatrixXd jacobian(count, count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto [by_extension, by_rate] = SlopesOf(j);
+    jacobian.row(j) = -by_extension * by_extension_.row(j).head(count) - by_rate * by_rate_.row(j).head(count);
+    jacobian(j, j) += 1;
+    forces.row(j) += by_extension * extension.row(j) + by_rate * rate.row(j);
+  }
+  forces = Solved(jacobian, Eigen::MatrixXd(forces));
 }
 
 void PortSolver::Advance() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,6 +32,13 @@ class PortSolver {
   bool Solve(Eigen::Index count, const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
              Eigen::VectorXd& remainder);
 
+  /// Of the last solution, ports without memory: how much more force another law gives at its extension and rate [N].
+  double Departure(Eigen::Index port, const PortLaw& law) const;
+  /// How the last solution changes, to first order, where extension and rate without the forces, and the laws' own
+  /// forces, change by these; ports x changes. `forces` becomes the changes of the solution.
+  void Change(const Eigen::Ref<const Eigen::MatrixXd>& extension, const Eigen::Ref<const Eigen::MatrixXd>& rate,
+              Eigen::Ref<Eigen::MatrixXd> forces) const;
+
   /// Ports with memory accept the last solution as the end of their step.
   void Advance();
 
@@ -44,6 +52,8 @@ class PortSolver {
   /// Residual at `remainder`; its largest entry, NaN if a law has no solution.
   double Evaluate(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, const Eigen::VectorXd& remainder);
   void NewtonStep();
+  /// By extension and by rate, at the last iterate.
+  std::pair<double, double> SlopesOf(Eigen::Index port) const;
 
   std::vector<PortLaw> laws_;
   /// Number of ports being solved for.

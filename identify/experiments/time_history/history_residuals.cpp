@@ -15,6 +15,7 @@
 #include "identify/experiments/time_history/start_state.h"
 #include "identify/residuals/calibrated_sensor.h"
 #include "identify/residuals/sensor_group.h"
+#include "vehicles/simulation/motion_sensitivity.h"
 
 namespace fourpost {
 namespace {
@@ -146,6 +147,60 @@ void HistoryResiduals::AddStartTo(const MeasuredHistory& history, const Condense
   if (!history.release) AddStart(history, model, weights, history.Stride(), modelled);
 }
 
+Eigen::VectorXd HistoryResiduals::ResidualsOf(const MeasuredHistory& history, const CondensedModel& model,
+                                              Eigen::MatrixXd modelled) const {
+  if (options_.cost == HistoryCost::kWhitened) AddStartTo(history, model, modelled);
+  Eigen::VectorXd residuals(CountOf(history) * modelled.cols());
+  Index at = 0;
+  AddHistory(history, modelled, at, residuals);
+  return residuals;
+}
+
+bool HistoryResiduals::HasDerivatives() const {
+  const auto is_released = [](const MeasuredHistory& history) { return history.release.has_value(); };
+  return options_.cost != HistoryCost::kPrediction && std::none_of(histories_.begin(), histories_.end(), is_released);
+}
+
+Eigen::MatrixXd HistoryResiduals::Derivatives(const std::vector<double>& values,
+                                              const std::vector<std::size_t>& parameters) const {
+  Eigen::MatrixXd derivatives(count_, std::ssize(parameters));
+  Index first = 0;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const MeasuredHistory& history = histories_[h];
+    const CondensedModel model = ModelOf(history, values);
+    const Eigen::VectorXd here = ResidualsOf(history, model, simulations_[h].Run(model));
+    std::vector<CondensedModel> covered;
+    std::vector<std::size_t> their_columns;
+    const auto differentiate = [&](std::size_t i, const CondensedModel& neighbour, Eigen::MatrixXd modelled) {
+      const double difference = NeighbourOf(values, parameters[i])[parameters[i]] - values[parameters[i]];
+      derivatives.col(static_cast<Index>(i)).segment(first, here.size()) =
+          (ResidualsOf(history, neighbour, std::move(modelled)) - here) / difference;
+    };
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      CondensedModel neighbour = ModelOf(history, NeighbourOf(values, parameters[i]));
+      if (MotionSensitivity::Covers(model, neighbour)) {
+        covered.push_back(std::move(neighbour));
+        their_columns.push_back(i);
+      } else {
+        differentiate(i, neighbour, simulations_[h].Run(neighbour));
+      }
+    }
+    std::vector<Eigen::MatrixXd> near = simulations_[h].RunNear(model, covered);
+    for (std::size_t c = 0; c < covered.size(); ++c) differentiate(their_columns[c], covered[c], std::move(near[c]));
+    first += here.size();
+  }
+  return derivatives;
+}
+
+std::vector<double> HistoryResiduals::NeighbourOf(std::vector<double> values, std::size_t parameter) const {
+  // As ModelChanges: small enough for what is not linear, and large against what the models are computed to.
+  constexpr double kStep = 1e-6;
+  const Parameter& given = condensed_->vehicle().parameters[parameter];
+  const double scale = std::max(std::abs(values[parameter]), 0.01 * (given.upper - given.lower));
+  values[parameter] += kStep * (scale > 0 ? scale : 1);
+  return values;
+}
+
 namespace {
 
 /// Posts that moved `share` more, or earlier by `delay_s`, than recorded; actuators as they are.
@@ -204,17 +259,10 @@ Eigen::MatrixXd HistoryResiduals::ByCalibrations(const std::vector<Calibration>&
     Eigen::MatrixXd modelled = simulations_[h].Run(model);
     // Instruments read the free motion as well.
     AddStartTo(history, model, modelled);
-    const auto residuals = [&](Eigen::MatrixXd signals) {
-      AddStartTo(history, model, signals);
-      Eigen::VectorXd out(CountOf(history) * signals.cols());
-      Index at = 0;
-      AddHistory(history, signals, at, out);
-      return out;
-    };
-    const Eigen::VectorXd here = residuals(modelled);
+    const Eigen::VectorXd here = ResidualsOf(history, model, modelled);
     for (std::size_t c = 0; c < calibrations.size(); ++c)
       changes.col(static_cast<Index>(c)).segment(first, here.size()) =
-          residuals(Calibrated(h, model, calibrations[c], modelled)) - here;
+          ResidualsOf(history, model, Calibrated(h, model, calibrations[c], modelled)) - here;
     first += here.size();
   }
   return changes;
@@ -355,6 +403,11 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
     by_calibrations = [residuals, calibrations](const std::vector<double>& values) {
       return residuals->ByCalibrations(calibrations, values);
     };
+  decltype(ResidualBlock::differentiate) differentiate;
+  if (residuals->HasDerivatives())
+    differentiate = [residuals](const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
+      return residuals->Derivatives(values, parameters);
+    };
   return {.name = "time histories",
           .count = residuals->count(),
           // What the elements' forces are solved to, times what a step's error may grow to.
@@ -367,6 +420,7 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
                   return Failed(Failure::kNotConverged, fault.what());
                 }
               },
+          .differentiate = std::move(differentiate),
           .at_finer_steps = std::move(at_finer_steps),
           .by_calibrations = std::move(by_calibrations),
           .structure = residuals->Structure(),

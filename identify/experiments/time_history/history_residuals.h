@@ -62,6 +62,13 @@ class HistoryResiduals {
   /// computed.
   Eigen::VectorXd At(const std::vector<double>& values, const Deadline& deadline = {}) const;
 
+  /// Whether Derivatives() are to be had: neither of a cost by prediction nor of a release, whose start is estimated.
+  bool HasDerivatives() const;
+  /// d residuals / d parameter per SI unit, count x `parameters` (indices): of the integration as it is, see
+  /// MotionSensitivity; of elements that come or have a memory by differences. Throws std::runtime_error where the
+  /// motion cannot be computed.
+  Eigen::MatrixXd Derivatives(const std::vector<double>& values, const std::vector<std::size_t>& parameters) const;
+
   /// Per history, samples of the window x signals; whitened, with the state at the start that suits it, see AddStart().
   std::vector<Eigen::MatrixXd> Modelled(const std::vector<double>& values) const;
 
@@ -102,6 +109,11 @@ class HistoryResiduals {
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;
   Eigen::MatrixXd Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const;
+  /// The same values with a small difference of one parameter.
+  std::vector<double> NeighbourOf(std::vector<double> values, std::size_t parameter) const;
+  /// Of one history.
+  Eigen::VectorXd ResidualsOf(const MeasuredHistory& history, const CondensedModel& model,
+                              Eigen::MatrixXd modelled) const;
   void AddHistory(const MeasuredHistory& history, const Eigen::MatrixXd& modelled, Eigen::Index& at,
                   Eigen::VectorXd& out) const;
   /// What the signals would be with an instrument off by one standard deviation, the state at the start not added.

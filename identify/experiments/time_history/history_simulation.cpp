@@ -16,6 +16,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
+#include "vehicles/simulation/motion_sensitivity.h"
 
 namespace fourpost {
 namespace {
@@ -26,6 +27,8 @@ using Eigen::Index;
 constexpr double kFarthest = 1e6;
 /// Steps between looks at the clock: a few milliseconds.
 constexpr Index kStepsBetweenChecks = 1000;
+/// Of neighbours that are followed together: 256 MB.
+constexpr std::size_t kMostReadings = 32'000'000;
 /// At which a release is estimated before the step is known [s].
 constexpr double kLongestStep_s = 1e-3;
 
@@ -156,12 +159,23 @@ void HistorySimulation::March(const CondensedModel& model, const Deadline& deadl
 template <typename Sample>
 void HistorySimulation::March(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline,
                               const Sample& sample) const {
+  March(
+      model, state, deadline, [](const CondensedStepper&) {}, sample);
+}
+
+template <typename Follow, typename Sample>
+void HistorySimulation::March(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline,
+                              const Follow& follow, const Sample& sample) const {
   CondensedStepper stepper(model, step_s());
   if (state.size() > 0) stepper.SetState(state, PostsAt(0));
   else stepper.Start(PostsAt(0));
+  follow(stepper);
   for (Index k = 0; k < samples_; ++k) {
     if (k % kStepsBetweenChecks == 0) deadline.Check();
-    for (long part = 0; part < parts_ && k > 0; ++part) stepper.Step(PostsAt((k - 1) * parts_ + part + 1));
+    for (long part = 0; part < parts_ && k > 0; ++part) {
+      stepper.Step(PostsAt((k - 1) * parts_ + part + 1));
+      follow(stepper);
+    }
     sample(k, stepper);
     // So written that it is true for NaN.
     if (!(stepper.state().norm() < kFarthest)) throw SimulationError(kMotionUnbounded);
@@ -203,6 +217,35 @@ Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Eigen:
   March(model, state, deadline, [&](Index k, const CondensedStepper& stepper) { stepper.Read(readings.col(k)); });
   Eigen::MatrixXd signals = SignalsOf(*history_, readings);
   if (history_->correction.size() > 0) signals += history_->correction;
+  return signals;
+}
+
+std::vector<Eigen::MatrixXd> HistorySimulation::RunNear(const CondensedModel& model,
+                                                        std::span<const CondensedModel> neighbours) const {
+  const Index sensors = model.on_position.rows();
+  const std::size_t together = std::max<std::size_t>(1, kMostReadings / static_cast<std::size_t>(sensors * samples_));
+  std::vector<Eigen::MatrixXd> signals;
+  while (signals.size() < neighbours.size()) {
+    const auto group = neighbours.subspan(signals.size(), std::min(together, neighbours.size() - signals.size()));
+    MotionSensitivity sensitivity(model, group, step_s());
+    std::vector<Eigen::MatrixXd> readings(group.size(), Eigen::MatrixXd(sensors, samples_));
+    Eigen::VectorXd own(sensors);
+    Eigen::MatrixXd changes(sensors, std::ssize(group));
+    Index steps = 0;
+    const auto follow = [&](const CondensedStepper& stepper) {
+      if (steps++ == 0) sensitivity.Start(stepper);
+      else sensitivity.Step(stepper);
+    };
+    March(model, {}, {}, follow, [&](Index k, const CondensedStepper& stepper) {
+      stepper.Read(own);
+      sensitivity.Read(stepper, changes);
+      for (std::size_t i = 0; i < group.size(); ++i) readings[i].col(k) = own + changes.col(static_cast<Index>(i));
+    });
+    for (const Eigen::MatrixXd& one : readings) {
+      signals.push_back(SignalsOf(*history_, one));
+      if (history_->correction.size() > 0) signals.back() += history_->correction;
+    }
+  }
   return signals;
 }
 

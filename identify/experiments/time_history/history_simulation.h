@@ -43,6 +43,10 @@ class HistorySimulation {
   /// From this state; empty: from rest.
   Eigen::MatrixXd Run(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline) const;
 
+  /// What Run() gives for each neighbour of a model, to first order in their difference: see MotionSensitivity, whose
+  /// Covers() must hold. Not for a release, whose start depends on the model. Throws as Run() does.
+  std::vector<Eigen::MatrixXd> RunNear(const CondensedModel& model, std::span<const CondensedModel> neighbours) const;
+
   /// What the sensors of a model read without the filter, samples of the window x sensors. Throws as Run() does.
   /// `state`: as of Run(); of a vehicle with the same bodies, other sensors than the recording's may be read.
   Eigen::MatrixXd Readings(const CondensedModel& model, const Eigen::VectorXd& state = {}) const;
@@ -60,6 +64,10 @@ class HistorySimulation {
   /// From this state; empty: from rest.
   template <typename Sample>
   void March(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline,
+             const Sample& sample) const;
+  /// `follow(stepper)` at the start and after each step.
+  template <typename Follow, typename Sample>
+  void March(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline, const Follow& follow,
              const Sample& sample) const;
   std::span<const PostState> PostsAt(Eigen::Index step) const;
 
