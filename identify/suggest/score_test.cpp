@@ -223,7 +223,7 @@ double CriterionChange(double cost_before, double cost, Index residuals, double 
   if (!(cost > 0) || !(cost_before > 0)) return 0;
   const double missing = std::max(0.0, static_cast<double>(residuals) - cost_before);
   return effective * std::log((cost + missing) / (cost_before + missing)) + parameters * std::log(effective) +
-         2 * std::max(parameters, 1) * std::log(static_cast<double>(std::max<std::size_t>(additions, 1)));
+         2 * std::log(static_cast<double>(std::max<std::size_t>(additions, 1)));
 }
 
 }  // namespace fourpost

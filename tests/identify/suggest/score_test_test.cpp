@@ -156,6 +156,30 @@ TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
   EXPECT_LE(worthwhile, kSets / 20);
 }
 
+// The same of additions of several numbers each, all of which are fitted: the best of so many has more to choose from.
+TEST(ScoreTest, OfWhiteNoiseSuggestsNoneOfSeveralNumbers) {
+  constexpr int kSets = 300;
+  constexpr std::size_t kAdditions = 30;
+  for (const int numbers : {2, 5}) {
+    int worthwhile = 0;
+    for (int set = 0; set < kSets; ++set) {
+      const auto seed = static_cast<std::uint64_t>(5000 + 500 * set);
+      const FittedPoint point = Optimum(120, 4, VectorXd::Zero(120), seed);
+      const double cost = point.residuals.squaredNorm();
+      double best = 0;
+      for (std::size_t k = 0; k < kAdditions; ++k) {
+        MatrixXd columns(120, numbers);
+        for (int j = 0; j < numbers; ++j)
+          columns.col(j) = Beyond(point.jacobian, White(120, seed + 10 * k + static_cast<std::uint64_t>(j) + 700000));
+        const double left = Beyond(columns, point.residuals).squaredNorm();
+        best = std::min(best, CriterionChange(cost, left, 120, 120, numbers, kAdditions));
+      }
+      worthwhile += best < 0 ? 1 : 0;
+    }
+    EXPECT_LE(worthwhile, kSets / 20) << numbers;
+  }
+}
+
 // Of x_t = a x_{t-1} + e_t a mean is worth n (1 - a) / (1 + a) samples. The correlation is known to 1/sqrt(n).
 TEST(EffectiveResiduals, AreThoseOfAnAutoregression) {
   constexpr Index kSamples = 20000;
@@ -170,8 +194,15 @@ TEST(EffectiveResiduals, AreThoseOfAnAutoregression) {
 
 TEST(CriterionChange, IsThatOfChenAndChen) {
   EXPECT_DOUBLE_EQ(CriterionChange(100, 50, 100, 80, 2, 30),
-                   80 * std::log(0.5) + 2 * std::log(80.0) + 4 * std::log(30.0));
+                   80 * std::log(0.5) + 2 * std::log(80.0) + 2 * std::log(30.0));
   EXPECT_GT(CriterionChange(100, 99, 100, 80, 1, 30), 0);
+}
+
+// There are as many models with one more addition as there are additions, whatever each consists of.
+TEST(CriterionChange, ChargesTheChoiceAmongModelsOnce) {
+  for (const int numbers : {0, 1, 5})
+    EXPECT_NEAR(CriterionChange(100, 50, 100, 80, numbers, 60) - CriterionChange(100, 50, 100, 80, numbers, 30),
+                2 * std::log(2.0), 1e-12);  // rounding
 }
 
 // A cost of 13 for 100 residuals: they are smaller than stated, and a pattern among them is nothing that is missing.
