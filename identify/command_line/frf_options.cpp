@@ -1,6 +1,7 @@
 #include "identify/command_line/frf_options.h"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,13 +32,17 @@ void AddPost(const std::string& text, FrfCommand& command) {
   else command.request.posts.push_back({text.substr(0, sign), text.substr(sign + 1)});
 }
 
-/// "pots.csv", "pots.csv=3ms"
+/// "pots.csv", "pots.csv=3ms", "run=2.csv", "run=2.csv=3ms": what follows the last sign is a delay if it is a time, or
+/// if a file of the name before it exists, whose delay then is at fault.
 void AddBeside(const std::string& text, FrfCommand& command) {
-  const std::size_t sign = text.rfind('=');
-  OtherFile other{.path = text.substr(0, sign)};
-  if (sign != std::string::npos)
-    if (const auto delay_s = ReadQuantity(text.substr(sign + 1), kTime, "--with", command.faults))
-      other.delay_s = *delay_s;
+  OtherFile other{.path = text};
+  if (const std::size_t sign = text.rfind('='); sign != std::string::npos) {
+    Diagnostics faults;
+    const std::optional<double> delay_s = ReadQuantity(text.substr(sign + 1), kTime, "--with", faults);
+    const std::filesystem::path before = text.substr(0, sign);
+    if (delay_s) other = {.path = before, .delay_s = *delay_s};
+    else if (!std::filesystem::exists(text) && std::filesystem::exists(before)) command.faults.Add(faults);
+  }
   command.request.preparation.times.others.push_back(std::move(other));
 }
 

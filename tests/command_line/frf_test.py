@@ -1,6 +1,7 @@
 """Time histories made into frequency responses, by the command and by a study."""
 import json
 import math
+import shutil
 import unittest
 
 from program import SOURCE, ProgramTest, dwells
@@ -219,6 +220,15 @@ class Frf(ProgramTest):
         for frequency, late, right in zip(response["frequency_Hz"], *phases.values()):
             self.assertAlmostEqual((right - late + 180) % 360 - 180, 360 * frequency * 0.003, delta=0.3)
         self.assert_finding(self.run_program("frf", "main.csv", "--with", "pots.csv=3mm", code=2).stderr, "option-quantity")
+
+    def test_file_beside_may_have_an_equals_sign_in_its_name(self):
+        self.split(0.003)
+        for name in ("run=2.csv", "rate=200Hz.csv"):
+            shutil.copy(self.folder / "pots.csv", self.folder / name)
+            for other, done in ((name, f"with {name}"), (f"{name}=3ms", f"with {name}, 3 ms ahead")):
+                with self.subTest(other):
+                    frf = json.loads(self.run_program("frf", "main.csv", "--with", other, "--json").stdout)
+                    self.assertEqual(frf["preparation"], [done])
 
     def test_names_motions_that_are_no_dwell(self):
         frf = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)
