@@ -24,13 +24,16 @@ class Check(ProgramTest):
 
     def test_takes_values_that_are_written_once(self):
         self.run_program("init", "car")
-        bound = (self.folder / "car/vehicle.urdf").read_text()
+        once = (self.folder / "car/vehicle.urdf").read_text()
+        tag = once[once.index('<fp:parameter name="m_body"'):]
+        tag = tag[:tag.index("/>") + 2]
         bind = '>\n    <fp:bind to="link[body]/mass"/>\n  </fp:parameter>'
-        once = bound.replace('<mass value="300"/>', '<mass value="$m_body"/>').replace(bind, "/>", 1)
+        bound = once.replace('<mass value="$m_body"/>', '<mass value="300"/>').replace(tag, tag[:-2] + bind)
         self.assertNotIn("link[body]/mass", once)
         expected = self.checked("car/vehicle.urdf")
-        self.write("car/vehicle.urdf", once)
+        self.write("car/vehicle.urdf", bound)
         self.assertEqual(self.checked("car/vehicle.urdf"), expected)
+        self.write("car/vehicle.urdf", once)
         parameters = json.loads(self.run_program("params", "car/vehicle.urdf", "--json").stdout)["parameters"]
         self.assertEqual([p["name"] for p in parameters][0], "m_body")
         self.run_program("fit", "car/study.yaml", "-o", "run", "--no-suggest")

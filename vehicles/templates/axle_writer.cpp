@@ -55,14 +55,9 @@ std::string Text(const ParameterText& parameter) {
   const auto quantity = [&](const char* name, double number) {
     return std::string(" ") + name + "=\"" + NumberText(number) + unit + "\"";
   };
-  std::string text = "  <fp:parameter name=\"" + parameter.name + "\"" + quantity("value", parameter.value) +
-                     quantity("lower", parameter.lower) + quantity("upper", parameter.upper) +
-                     quantity("precision", parameter.precision) + "\n                source=\"" + parameter.source +
-                     "\"";
-  if (parameter.binds.empty()) return text + "/>\n";
-  text += ">\n";
-  for (const std::string& bind : parameter.binds) text += "    <fp:bind to=\"" + bind + "\"/>\n";
-  return text + "  </fp:parameter>\n";
+  return "  <fp:parameter name=\"" + parameter.name + "\"" + quantity("value", parameter.value) +
+         quantity("lower", parameter.lower) + quantity("upper", parameter.upper) +
+         quantity("precision", parameter.precision) + "\n                source=\"" + parameter.source + "\"/>\n";
 }
 
 std::string AxleWriter::Name(std::string_view part, bool has_side) const {
@@ -187,7 +182,8 @@ void AxleWriter::Wheel(std::string_view carrier) {
     const Vector3d axis = (points_.At("wheel_axis") - centre).normalized();
     turn = {std::asin(axis.z()), 0, std::atan2(-axis.x(), axis.y())};
   }
-  text_ += "  <link name=\"" + Name("wheel") + "\">\n    <inertial>\n      <mass value=\"" + FormatNumber(mass) +
+  const std::string parameter = "m_" + points_.axle + "_wheel";
+  text_ += "  <link name=\"" + Name("wheel") + "\">\n    <inertial>\n      <mass value=\"$" + parameter +
            "\"/>\n      " +
            InertiaText(Vector3d(0.17, 0.28, 0.17).asDiagonal() * (mass * r2 * Eigen::Matrix3d::Identity())) +
            "\n    </inertial>\n    <visual>\n      <origin xyz=\"0 0 0\" rpy=\"1.5708 0 0\"/>\n      "
@@ -198,14 +194,14 @@ void AxleWriter::Wheel(std::string_view carrier) {
            "\"/><child link=\"" + Name("wheel") + "\"/><origin xyz=\"" +
            XyzText(centre - parts_.find(carrier)->second.origin) + "\"" +
            (turn.isZero() ? "" : " rpy=\"" + XyzText(turn) + "\"") + "/>\n  </joint>\n";
-  Add(ParameterText{.name = "m_" + points_.axle + "_wheel",
-                    .value = mass,
-                    .lower = std::round(0.5 * mass),
-                    .upper = std::round(1.8 * mass),
-                    .precision = 0.1,
-                    .unit = "kg",
-                    .source = "estimate, of a passenger car: one side, wheel with hub, brake and knuckle, without arms",
-                    .binds = {"link[" + Name("wheel") + "]/mass"}});
+  Add(ParameterText{
+      .name = parameter,
+      .value = mass,
+      .lower = std::round(0.5 * mass),
+      .upper = std::round(1.8 * mass),
+      .precision = 0.1,
+      .unit = "kg",
+      .source = "estimate, of a passenger car: one side, wheel with hub, brake and knuckle, without arms"});
 }
 
 void AxleWriter::BeamAxle() {
@@ -216,34 +212,36 @@ void AxleWriter::BeamAxle() {
   const double roll = std::round(60 * track * track / 12 + 60 * track * track / 4);
   parts_["axle"] = {Vector3d::Zero(), false};
   const std::string name = Name("axle", false);
+  const std::string mass_name = "m_" + points_.axle + "_axle";
+  const std::string roll_name = "I_" + points_.axle + "_axle";
   const auto wheel = [&](double side) {
     return "    <visual>\n      <origin xyz=\"" + XyzText({centre.x(), side * centre.y(), centre.z()}) +
            "\" rpy=\"1.5708 0 0\"/>\n      <geometry><cylinder radius=\"" +
            NumberText(std::round(height_ * 1e3) * 1e-3) + "\" length=\"0.2\"/></geometry>\n    </visual>\n";
   };
   text_ += "  <link name=\"" + name + "\">\n    <inertial>\n      <origin xyz=\"" +
-           XyzText({centre.x(), 0, centre.z()}) + "\"/>\n      <mass value=\"" + FormatNumber(mass) + "\"/>\n      " +
-           InertiaText(Vector3d(roll, 3, roll).asDiagonal()) + "\n    </inertial>\n" + wheel(1) + wheel(-1) +
+           XyzText({centre.x(), 0, centre.z()}) + "\"/>\n      <mass value=\"$" + mass_name +
+           "\"/>\n      <inertia ixx=\"$" + roll_name + "\" iyy=\"3\" izz=\"$" + roll_name +
+           "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n" + wheel(1) + wheel(-1) +
            "    <visual>\n      <origin xyz=\"" + XyzText({centre.x(), 0, centre.z()}) +
            "\"/>\n      <geometry><box size=\"0.08 " + NumberText(track) +
            " 0.08\"/></geometry>\n    </visual>\n  </link>\n";
   Floating("axle", false);
-  Add(ParameterText{.name = "m_" + points_.axle + "_axle",
-                    .value = mass,
-                    .lower = 70,
-                    .upper = 300,
-                    .precision = 0.1,
-                    .unit = "kg",
-                    .source = "estimate, of a passenger car: axle with wheels, half the links; 200 to 300 kg off road",
-                    .binds = {"link[" + name + "]/mass"}});
-  Add(ParameterText{.name = "I_" + points_.axle + "_axle",
+  Add(ParameterText{
+      .name = mass_name,
+      .value = mass,
+      .lower = 70,
+      .upper = 300,
+      .precision = 0.1,
+      .unit = "kg",
+      .source = "estimate, of a passenger car: axle with wheels, half the links; 200 to 300 kg off road"});
+  Add(ParameterText{.name = roll_name,
                     .value = roll,
                     .lower = std::round(0.4 * roll),
                     .upper = std::round(3 * roll),
                     .precision = 0.1,
                     .unit = "kg*m^2",
-                    .source = "estimate: half the mass spread over the track, half in the wheels",
-                    .binds = {"link[" + name + "]/inertia/ixx", "link[" + name + "]/inertia/izz"}});
+                    .source = "estimate: half the mass spread over the track, half in the wheels"});
 }
 
 }  // namespace fourpost

@@ -24,8 +24,6 @@ struct ParameterText {
   double precision = 0;
   std::string unit;
   std::string source;
-  /// "link[body]/mass".
-  std::vector<std::string> binds = {};
 };
 std::string Text(const ParameterText& parameter);
 

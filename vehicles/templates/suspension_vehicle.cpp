@@ -67,10 +67,10 @@ std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPo
   const double pitch = std::round(0.9 * mass * (front.x() - x) * (x - rear.x()));
   const double roll = std::round(mass * 0.38 * 0.38 * track * track);
   std::string text = "\n  <!-- Body with engine and two people; its axes and origin are those of the drawing. -->\n";
-  text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"" +
-          XyzText({x, 0, z}) + "\"/>\n      <mass value=\"" + Fixed(mass, 1) + "\"/>\n      <inertia ixx=\"" +
-          FormatNumber(roll) + "\" iyy=\"" + FormatNumber(pitch) + "\" izz=\"" + FormatNumber(pitch) +
-          "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" +
+  text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"$x_body 0 " +
+          Fixed(z, 3) +
+          "\"/>\n      <mass value=\"$m_body\"/>\n      <inertia ixx=\"$I_roll\" iyy=\"$I_pitch\" "
+          "izz=\"$I_pitch\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" +
           XyzText({x, 0, z + 0.05}) + "\"/>\n      <geometry><box size=\"" + Fixed(wheelbase + 1, 2) + " " +
           Fixed(0.5 * track, 2) + " 0.4\"/></geometry>\n    </visual>\n  </link>\n";
   text +=
@@ -86,8 +86,7 @@ std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPo
                 .unit = "kg",
                 .source = body.is_weighed ? "loads of the axles, less an estimate of wheels and axles"
                                           : "estimate, of a passenger car: body with engine and two people; --load "
-                                            "makes it of axle loads",
-                .binds = {"link[body]/mass"}});
+                                            "makes it of axle loads"});
   const double spread = std::round((body.is_weighed ? 30 : 150) * wheelbase);
   text += Text({.name = "x_body",
                 .value = 1e3 * x,
@@ -96,24 +95,21 @@ std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPo
                 .precision = 0.1,
                 .unit = "mm",
                 .source = body.is_weighed ? "centre of mass by the loads of the axles"
-                                          : "estimate: centre of mass midway between the axles",
-                .binds = {"link[body]/com/x"}});
+                                          : "estimate: centre of mass midway between the axles"});
   text += Text({.name = "I_pitch",
                 .value = pitch,
                 .lower = std::round(0.5 * pitch),
                 .upper = std::round(2 * pitch),
                 .precision = 1,
                 .unit = "kg*m^2",
-                .source = "estimate: dynamic index 0.9, I / (m a b); the yaw inertia is as large",
-                .binds = {"link[body]/inertia/iyy", "link[body]/inertia/izz"}});
+                .source = "estimate: dynamic index 0.9, I / (m a b); the yaw inertia is as large"});
   text += Text({.name = "I_roll",
                 .value = roll,
                 .lower = std::round(0.5 * roll),
                 .upper = std::round(1.8 * roll),
                 .precision = 1,
                 .unit = "kg*m^2",
-                .source = "estimate: radius of gyration 0.38 of the track",
-                .binds = {"link[body]/inertia/ixx"}});
+                .source = "estimate: radius of gyration 0.38 of the track"});
   return text;
 }
 

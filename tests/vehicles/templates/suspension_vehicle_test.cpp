@@ -38,6 +38,15 @@ TEST_P(EachSuspension, IsReadAndCheckedWithoutAFinding) {
   EXPECT_TRUE(findings.items().empty()) << findings.Format();
 }
 
+TEST_P(EachSuspension, WritesEachValueOnce) {
+  const auto kinds = KindsOf(GetParam(), GetParam());
+  Diagnostics findings;
+  const std::string text = suspension_cars::TextOf(kinds, UsualPoints(kinds), findings);
+  EXPECT_EQ(text.find("fp:bind"), std::string::npos);
+  for (const char* name : {"m_body", "x_body", "I_pitch", "I_roll"})
+    EXPECT_NE(text.find("$" + std::string(name)), std::string::npos) << name;
+}
+
 TEST_P(EachSuspension, IsAtRestAsDrawnAndMoves) {
   const auto kinds = KindsOf(GetParam(), GetParam());
   const Vehicle vehicle = VehicleOf(kinds, UsualPoints(kinds));
