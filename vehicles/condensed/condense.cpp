@@ -212,6 +212,9 @@ std::vector<int> PreloadParameters(const ReducedData::Held& held) {
   std::vector<int> indices = {held.free_length->parameter, held.law.stiffness.parameter, held.law.cubic.parameter};
   for (const SpringDescription::Knee& knee : held.law.knees)
     indices.insert(indices.end(), {knee.at.parameter, knee.rate.parameter, knee.cubic.parameter});
+  for (const SpringDescription::TablePoint& point : held.law.table)
+    indices.insert(indices.end(), {point.extension.parameter, point.force.parameter});
+  indices.push_back(held.law.place.parameter);
   return indices;
 }
 

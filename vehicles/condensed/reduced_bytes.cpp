@@ -11,7 +11,7 @@ namespace fourpost {
 namespace {
 
 /// Changes whenever the fields do.
-constexpr std::string_view kFormat = "fourpost reduced vehicle 1\n";
+constexpr std::string_view kFormat = "fourpost reduced vehicle 2\n";
 
 /// Of a matrix that is its own transpose to the last bit, the upper triangle is stored.
 bool IsSymmetric(const Eigen::MatrixXd& matrix) {

@@ -21,10 +21,17 @@ void EachField(MaybeConst<SpringDescription::Knee> auto& knee, auto&& field) {
   field("adds", knee.adds);
 }
 
+void EachField(MaybeConst<SpringDescription::TablePoint> auto& point, auto&& field) {
+  field("extension", point.extension);
+  field("force", point.force);
+}
+
 void EachField(MaybeConst<SpringDescription> auto& law, auto&& field) {
   field("stiffness", law.stiffness);
   field("cubic", law.cubic);
   field("knees", law.knees);
+  field("table", law.table);
+  field("place", law.place);
 }
 
 void EachField(MaybeConst<DashpotDescription::Knee> auto& knee, auto&& field) {

@@ -53,7 +53,7 @@ Eigen::VectorXd ReducedVehicle::HolderRates(std::span<const double> parameters) 
   Eigen::VectorXd rates(holders_.cols());
   Eigen::Index next = 0;
   for (const ReducedData::Held& element : data_.held)
-    if (!element.IsGiven()) rates[next++] = element.law.stiffness.At(parameters);
+    if (!element.IsGiven()) rates[next++] = element.law.RateAt(parameters);
   return rates;
 }
 

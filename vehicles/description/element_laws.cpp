@@ -20,7 +20,19 @@ SpringLaw SpringDescription::At(std::span<const double> parameters) const {
                          .cubic = knee.cubic.At(parameters)});
     if (!knee.adds) before = given;
   }
+  if (table.empty()) return law;
+  std::vector<double> extensions;
+  std::vector<double> forces;
+  for (const TablePoint& point : table) {
+    extensions.push_back(point.extension.At(parameters) - place.At(parameters));
+    forces.push_back(point.force.At(parameters));
+  }
+  law.curve.emplace(std::move(extensions), std::move(forces), "SpringLaw: extension", "SpringLaw: force");
   return law;
+}
+
+double SpringDescription::RateAt(std::span<const double> parameters) const {
+  return table.empty() ? stiffness.At(parameters) : At(parameters).Slope(0);
 }
 
 DashpotLaw DashpotDescription::At(std::span<const double> parameters) const {

@@ -14,7 +14,7 @@ namespace fourpost {
 // Laws of a vehicle's elements as its file gives them: numbers that may follow parameters. At() takes the values (SI,
 // in the order of Vehicle::parameters) and returns the law that all engines use.
 
-/// Law of a spring, a stop or a series spring: tension = stiffness x + cubic x^3 + sum of the knees.
+/// Law of a spring, a stop or a series spring: tension = stiffness x + cubic x^3 + sum of the knees, or a table.
 struct SpringDescription {
   /// Beyond x = side * at the rate is `rate`; with `adds` it is added, as for a stop, otherwise it replaces the rate
   /// before it, as in a multirate spring. Knees of a side are in the order in which they are met.
@@ -25,12 +25,23 @@ struct SpringDescription {
     Scalar cubic;
     bool adds = false;
   };
+  /// Extension counts from the table's own zero.
+  struct TablePoint {
+    Scalar extension;  // m
+    Scalar force;      // N
+  };
   Scalar stiffness;
   Scalar cubic;
   std::vector<Knee> knees;
+  /// By rising extension.
+  std::vector<TablePoint> table = {};
+  /// Extension in the table at which the design pose stands [m].
+  Scalar place = {};
 
   SpringLaw At(std::span<const double> parameters) const;
-  bool IsLinear() const { return cubic.IsZero() && knees.empty(); }
+  bool IsLinear() const { return cubic.IsZero() && knees.empty() && table.empty(); }
+  /// In the design pose [N/m].
+  double RateAt(std::span<const double> parameters) const;
 };
 
 /// Law of a damper, hydraulic ones excepted, with the friction of its seals.

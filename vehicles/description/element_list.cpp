@@ -57,8 +57,16 @@ void AddSpring(const Spring& spring, NumberList& list) {
     return;
   }
   if (spring.kind == Spring::Kind::kCoil) {
-    list.Add("stiffness", "fp:spring/linear", "stiffness", spring.law.stiffness);
-    list.AddBend("cubic", "fp:spring/cubic", "cubic", spring.law.cubic);
+    if (spring.law.table.empty()) {
+      list.Add("stiffness", "fp:spring/linear", "stiffness", spring.law.stiffness);
+      list.AddBend("cubic", "fp:spring/cubic", "cubic", spring.law.cubic);
+    } else {
+      list.Add("place in the table", "fp:spring/table", "at", spring.law.place);
+    }
+    for (const SpringDescription::TablePoint& point : spring.law.table) {
+      list.Add("extension in the table", "fp:spring/table/point", "extension", point.extension);
+      list.Add("force in the table", "fp:spring/table/point", "force", point.force);
+    }
     if (spring.preload) list.Add("preload", "fp:spring/linear", "preload", *spring.preload);
     if (spring.free_length) list.Add("free_length", "fp:spring/linear", "free_length", *spring.free_length);
   }

@@ -95,6 +95,19 @@ double MonotoneCurve::Slope(double x) const {
   return piece.SlopeAt(x - piece.x0);
 }
 
+double MonotoneCurve::Integral(double x) const {
+  const double lower = std::min(0.0, x);
+  const double upper = std::max(0.0, x);
+  double area = std::isnan(x) ? x : 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    const double from = i == 0 ? lower : std::max(lower, x_[i - 1]);
+    const double to = i == x_.size() ? upper : std::min(upper, x_[i]);
+    if (from < to) area += piece.Area(to - piece.x0) - piece.Area(from - piece.x0);
+  }
+  return x < 0 ? -area : area;
+}
+
 double MonotoneCurve::Argument(double y) const {
   const auto i = static_cast<std::size_t>(std::upper_bound(y_.begin(), y_.end(), y) - y_.begin());
   const Piece& piece = pieces_[i];

@@ -18,6 +18,8 @@ class MonotoneCurve {
 
   double Value(double x) const;
   double Slope(double x) const;
+  /// From 0 to x.
+  double Integral(double x) const;
 
   /// The x at which the curve reaches y; needs a strictly increasing curve.
   double Argument(double y) const;
@@ -25,6 +27,9 @@ class MonotoneCurve {
   /// Over all x, exact.
   double LeastSlope() const;
   double GreatestSlope() const;
+
+  /// Places of the points.
+  const std::vector<double>& x() const { return x_; }
 
   bool operator==(const MonotoneCurve&) const = default;
 
@@ -41,6 +46,8 @@ class MonotoneCurve {
     bool operator==(const Piece&) const = default;
     double Rise(double e) const { return (slope + (quadratic + cubic * e) * e) * e; }
     double SlopeAt(double e) const { return slope + (2 * quadratic + 3 * cubic * e) * e; }
+    /// From x = x0.
+    double Area(double e) const { return (y0 + (slope / 2 + (quadratic / 3 + cubic / 4 * e) * e) * e) * e; }
   };
 
   /// Piece from point i to the next.

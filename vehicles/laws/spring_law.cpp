@@ -41,24 +41,27 @@ void RequireFinite(const std::string& field, double value) {
 double SpringLaw::Force(double x) const {
   double force = (stiffness + cubic * x * x) * x;
   for (const Knee& knee : knees) force += KneeForce(knee, x) - KneeForce(knee, 0);
+  if (curve) force += curve->Value(x) - curve->Value(0);
   return force;
 }
 
 double SpringLaw::Slope(double x) const {
   double slope = stiffness + 3 * cubic * x * x;
   for (const Knee& knee : knees) slope += KneeSlope(knee, x);
+  if (curve) slope += curve->Slope(x);
   return slope;
 }
 
 double SpringLaw::Energy(double x) const {
   double energy = (0.5 * stiffness + 0.25 * cubic * x * x) * x * x;
   for (const Knee& knee : knees) energy += KneeEnergy(knee, x) - KneeEnergy(knee, 0) - KneeForce(knee, 0) * x;
+  if (curve) energy += curve->Integral(x) - curve->Value(0) * x;
   return energy;
 }
 
 bool SpringLaw::IsLinear() const {
   const auto adds_nothing = [](const Knee& knee) { return knee.stiffness == 0 && knee.cubic == 0; };
-  return cubic == 0 && std::all_of(knees.begin(), knees.end(), adds_nothing);
+  return cubic == 0 && !curve && std::all_of(knees.begin(), knees.end(), adds_nothing);
 }
 
 void SpringLaw::Validate() const {

@@ -97,9 +97,11 @@ StatisticalGain Gain(const SpringRemainder& port, const PortMotion& motion) {
             .by_extension = port.law.Slope(motion.mean) - port.stiffness};
   std::vector<double> breaks;
   for (const SpringLaw::Knee& knee : port.law.knees) breaks.push_back((knee.at - motion.mean) / deviation);
+  if (port.law.curve)
+    for (const double x : port.law.curve->x()) breaks.push_back((x - motion.mean) / deviation);
   // Stops that are out of reach, the usual case.
-  const bool is_straight =
-      port.law.cubic == 0 && std::none_of(breaks.begin(), breaks.end(), [](double z) { return std::abs(z) < kReach; });
+  const bool is_straight = port.law.cubic == 0 && !port.law.curve &&
+                           std::none_of(breaks.begin(), breaks.end(), [](double z) { return std::abs(z) < kReach; });
   if (is_straight)
     return {.mean = port.law.Force(motion.mean) - port.stiffness * motion.mean,
             .by_extension = port.law.Slope(motion.mean) - port.stiffness};

@@ -86,7 +86,7 @@ class ElementReader {
                   .preload = {},
                   .free_length = {},
                   .source_line = tag.Line()};
-    for (const char* name : {"linear", "cubic", "multirate"}) {
+    for (const char* name : {"linear", "cubic", "multirate", "table"}) {
       const std::optional<Tag> law = ChildOf(tag, name);
       if (!law) continue;
       spring.law = laws_.ReadSpring(*law);

@@ -249,6 +249,14 @@ inline const Finding kPointSign{"point-sign", Severity::kError, "the point at \"
 inline const Finding kPointOrder{"point-order", Severity::kError,
                                  "the point at \"{}\" of {} does not rise above the point before it",
                                  "give it more speed and more force, over the whole range of parameters"};
+inline const Finding kSpringTablePoints{"spring-table-points", Severity::kError, "{} needs at least two <point>s",
+                                        "add them as <point extension=\"...\" force=\"...\"/>"};
+inline const Finding kSpringPointOrder{
+    "spring-point-order", Severity::kError, "the point at \"{}\" of {} does not rise above the point before it",
+    "give it more extension and more force, over the whole range of parameters; compression has a minus in both"};
+inline const Finding kSpringTablePlace{
+    "spring-table-place", Severity::kWarning, "{} lies beyond the ends of the table, where the spring goes straight on",
+    "give the extension, in the table, of the spring in the design pose: negative under compression"};
 inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
                                         "{} has a series spring, so its rates must be above zero"};
 inline const Finding kSeriesNotRising{"series-not-rising", Severity::kError,

@@ -28,6 +28,7 @@ std::optional<Tag> ChildOf(const Tag& tag, std::string_view name) {
 }
 
 SpringDescription LawReader::ReadSpring(const Tag& law) {
+  if (law.rule->Name() == "table") return ReadSpringTable(law);
   SpringDescription description;
   description.stiffness = parameters_.ReadScalar(law, "stiffness");
   if (law.rule->Name() == "cubic") description.cubic = parameters_.ReadScalar(law, "cubic");
@@ -53,6 +54,33 @@ void LawReader::ReadKnees(const Tag& multirate, SpringDescription& law) {
     law.knees.push_back(knee);
   }
   if (law.knees.empty()) faults_.Report(kKneeNone, multirate.Line(), {Describe(*multirate.element)});
+}
+
+SpringDescription LawReader::ReadSpringTable(const Tag& table) {
+  SpringDescription law{.stiffness = {}, .cubic = {}, .knees = {}, .table = {}, .place = {}};
+  const int errors = faults_.errors();
+  law.place = parameters_.ReadScalar(table, "at");
+  for (const Tag& tag : TagsOf(*table.element, "fp:spring/table/point")) {
+    const int before = faults_.errors();
+    const SpringDescription::TablePoint point{parameters_.ReadScalar(tag, "extension"),
+                                              parameters_.ReadScalar(tag, "force")};
+    if (faults_.errors() > before) continue;
+    if (!law.table.empty() && (!parameters_.IsBelow(law.table.back().extension, point.extension) ||
+                               !parameters_.IsBelow(law.table.back().force, point.force)))
+      faults_.Report(kSpringPointOrder, tag.Line(), {tag.Text("extension"), Describe(*table.element)});
+    law.table.push_back(point);
+  }
+  if (law.table.size() < 2) faults_.Report(kSpringTablePoints, table.Line(), {Describe(*table.element)});
+  if (faults_.errors() == errors) CheckPlace(table, law);
+  return law;
+}
+
+/// Beyond its ends a table is a guess.
+void LawReader::CheckPlace(const Tag& table, const SpringDescription& law) {
+  if (parameters_.Least(law.table.front().extension) <= parameters_.Least(law.place) &&
+      parameters_.Greatest(law.place) <= parameters_.Greatest(law.table.back().extension))
+    return;
+  faults_.Report(kSpringTablePlace, table.Line("at"), {Quoted("at", table)});
 }
 
 SpringDescription LawReader::ReadStop(const Tag& stop) {

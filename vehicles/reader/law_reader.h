@@ -14,7 +14,7 @@ class LawReader {
  public:
   LawReader(ParameterReader& parameters, FileFaults& faults) : parameters_(parameters), faults_(faults) {}
 
-  /// Of a spring's law: `<linear>`, `<cubic>` or `<multirate>`.
+  /// Of a spring's law: `<linear>`, `<cubic>`, `<multirate>` or `<table>`.
   SpringDescription ReadSpring(const Tag& law);
   /// Of the `<bump>` and `<rebound>` of an `<fp:stop>`.
   SpringDescription ReadStop(const Tag& stop);
@@ -26,6 +26,8 @@ class LawReader {
 
  private:
   void ReadKnees(const Tag& multirate, SpringDescription& law);
+  SpringDescription ReadSpringTable(const Tag& table);
+  void CheckPlace(const Tag& table, const SpringDescription& law);
   void ReadRates(const Tag& law, DashpotDescription& dashpot);
   void ReadTable(const Tag& table, DashpotDescription& dashpot);
   void CheckPoint(const Tag& table, const Tag& tag, std::size_t i,

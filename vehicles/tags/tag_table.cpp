@@ -187,6 +187,18 @@ std::vector<TagRule> MakeSpringTags() {
               "is above. Knees of a side stand in the order in which they are met.",
        .attributes = {Usual("0.1 mm", "500 mm", Measure("at", kLength, Sign::kAny, "extension at the knee; not zero")),
                       Usual("100 N/m", "100 MN/m", Stiffness("force per extension beyond the knee"))}},
+      {.path = "fp:spring/table",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "A measured spring: a monotone cubic (Fritsch and Carlson) c through its points, straight on beyond the "
+              "ends. tension = preload + c(at + x) - c(at)",
+       .attributes = {Usual("", "1 m",
+                            Measure("at", kLength, Sign::kAny, "extension in the table in the design pose", "0 m")),
+                      preload, free_length}},
+      {.path = "fp:spring/table/point",
+       .doc = "A point of the curve, in the order of rising extension and force. Compression has a minus in both, as "
+              "from a bench that counts from the free length.",
+       .attributes = {Usual("", "1 m", Measure("extension", kLength, Sign::kAny, "extension from the table's zero")),
+                      Usual("", "200 kN", Measure("force", kForce, Sign::kAny, "tension"))}},
       {.path = "fp:stop",
        .doc = "Bump and rebound stops between two points: no force until the gap is closed, give one or both.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
