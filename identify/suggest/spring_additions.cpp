@@ -46,7 +46,7 @@ class SpringAdditions {
   }
 
   double StiffnessOf(const AdditionSource::Group& group) const {
-    return source_.vehicle().springs[group.front()].law.stiffness.At(source_.values());
+    return source_.vehicle().springs[group.front()].law.RateAt(source_.values());
   }
 
   /// Between the same bodies: a stop of a coil may stand beside it.

@@ -41,6 +41,14 @@ inline DashpotDescription DigressiveLaw() {
           .rebound_knee = {{0.08}, {800}}};
 }
 
+inline DashpotDescription SaturatingLaw() {
+  return {.kind = DashpotDescription::Kind::kSaturating,
+          .compression = {2000},
+          .rebound = {4000},
+          .compression_knee = {{0.2}, {}},
+          .rebound_knee = {{0.1}, {}}};
+}
+
 inline DashpotDescription TableLaw() {
   return {.kind = DashpotDescription::Kind::kTable,
           .table = {{{-0.5}, {-500}}, {{-0.1}, {-200}}, {{0.1}, {300}}, {{0.5}, {900}}}};
@@ -48,15 +56,11 @@ inline DashpotDescription TableLaw() {
 
 /// All kinds, alone and on a mount.
 inline std::vector<DamperLaw> DamperLaws() {
-  return {{"Bilinear", Rates(800, 2600)},
-          {"BilinearInSeries", Rates(800, 2600), true},
-          {"Smooth", SmoothLaw()},
-          {"SmoothInSeries", SmoothLaw(), true},
-          {"Digressive", DigressiveLaw()},
-          {"DigressiveInSeries", DigressiveLaw(), true},
-          {"Table", TableLaw()},
-          {"Friction", WithFriction(50)},
-          {"FrictionInSeries", WithFriction(50), true}};
+  return {{"Bilinear", Rates(800, 2600)},  {"BilinearInSeries", Rates(800, 2600), true},
+          {"Smooth", SmoothLaw()},         {"SmoothInSeries", SmoothLaw(), true},
+          {"Digressive", DigressiveLaw()}, {"DigressiveInSeries", DigressiveLaw(), true},
+          {"Saturating", SaturatingLaw()}, {"Table", TableLaw()},
+          {"Friction", WithFriction(50)},  {"FrictionInSeries", WithFriction(50), true}};
 }
 
 inline void SetLaw(const DamperLaw& law, Damper& damper) {

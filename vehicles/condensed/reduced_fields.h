@@ -51,7 +51,7 @@ void EachField(MaybeConst<DashpotDescription::Friction> auto& friction, auto&& f
 
 void EachField(MaybeConst<DashpotDescription> auto& law, auto&& field) {
   // As DashpotDescription::Kind.
-  static constexpr std::array<const char*, 4> kKinds = {"bilinear", "smooth", "digressive", "table"};
+  static constexpr std::array<const char*, 5> kKinds = {"bilinear", "smooth", "digressive", "saturating", "table"};
   field.Choice("kind", law.kind, kKinds);
   field("compression", law.compression);
   field("rebound", law.rebound);

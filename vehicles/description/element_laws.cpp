@@ -46,6 +46,8 @@ DashpotLaw DashpotDescription::At(std::span<const double> parameters) const {
       case Kind::kBilinear: break;
       case Kind::kSmooth: return DashpotLaw::Smooth(bump, pull, transition.At(parameters));
       case Kind::kDigressive: return DashpotLaw::Digressive(bump, pull, knee(compression_knee), knee(rebound_knee));
+      case Kind::kSaturating:
+        return DashpotLaw::Saturating(bump, pull, knee(compression_knee).speed, knee(rebound_knee).speed);
       case Kind::kTable: {
         std::vector<double> speeds;
         std::vector<double> forces;

@@ -46,7 +46,7 @@ struct SpringDescription {
 
 /// Law of a damper, hydraulic ones excepted, with the friction of its seals.
 struct DashpotDescription {
-  enum class Kind { kBilinear, kSmooth, kDigressive, kTable };
+  enum class Kind { kBilinear, kSmooth, kDigressive, kSaturating, kTable };
   struct Knee {
     Scalar speed;
     Scalar rate;
@@ -64,7 +64,7 @@ struct DashpotDescription {
   Scalar rebound;
   /// Smooth: velocity of the transition.
   Scalar transition;
-  /// Digressive.
+  /// Digressive; of a saturating law the speeds.
   Knee compression_knee;
   Knee rebound_knee;
   /// Table: by rising velocity.

@@ -111,6 +111,10 @@ void AddDashpot(const DashpotDescription& law, NumberList& list) {
     list.Add("rebound rate", "fp:damper/bilinear", "rebound", law.rebound);
   }
   if (law.kind == Kind::kSmooth) list.AddBend("speed of transition", "fp:damper/smooth", "speed", law.transition);
+  if (law.kind == Kind::kSaturating) {
+    list.AddBend("bump speed", "fp:damper/saturating", "bump_speed", law.compression_knee.speed);
+    list.AddBend("rebound speed", "fp:damper/saturating", "rebound_speed", law.rebound_knee.speed);
+  }
   if (law.kind == Kind::kDigressive) {
     constexpr const char* kPath = "fp:damper/digressive";
     list.AddBend("bump knee", kPath, "bump_knee", law.compression_knee.speed);

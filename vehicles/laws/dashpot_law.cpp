@@ -1,6 +1,7 @@
 #include "vehicles/laws/dashpot_law.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -76,6 +77,17 @@ double DashpotLaw::Kneed::GreatestSlope() const {
   return std::max({inner.bump, inner.rebound, bump.rate, rebound.rate});
 }
 
+std::pair<double, double> DashpotLaw::Saturated::ForceAndSlope(double v) const {
+  const double divisor = Divisor(v);
+  return {at_rest.Force(v) / divisor, at_rest.Slope(v) / (divisor * divisor)};
+}
+
+double DashpotLaw::Saturated::Velocity(double force) const {
+  const double straight = at_rest.Velocity(force);
+  const double left = 1 - std::abs(straight) / (force > 0 ? rebound_speed : bump_speed);
+  return left > 0 ? straight / left : std::copysign(std::numeric_limits<double>::infinity(), force);
+}
+
 DashpotLaw::DashpotLaw(Law law) : law_(std::move(law)) {}
 
 DashpotLaw::DashpotLaw(double bump, double rebound) : law_(Bilinear{bump, rebound}) {
@@ -98,6 +110,14 @@ DashpotLaw DashpotLaw::Digressive(double bump, double rebound, Knee bump_knee, K
   RequireSpeed("rebound_knee.speed", rebound_knee.speed);
   RequireRate("rebound_knee.rate", rebound_knee.rate);
   return DashpotLaw(Kneed{{bump, rebound}, bump_knee, rebound_knee});
+}
+
+DashpotLaw DashpotLaw::Saturating(double bump, double rebound, double bump_speed, double rebound_speed) {
+  RequireRate("bump", bump);
+  RequireRate("rebound", rebound);
+  RequireSpeed("bump_speed", bump_speed);
+  RequireSpeed("rebound_speed", rebound_speed);
+  return DashpotLaw(Saturated{{bump, rebound}, bump_speed, rebound_speed});
 }
 
 DashpotLaw DashpotLaw::Table(std::vector<double> speed, std::vector<double> force) {
@@ -183,6 +203,7 @@ double DashpotLaw::StepSpeed() const {
 
 std::vector<DashpotLaw::Kink> DashpotLaw::Kinks() const {
   if (const auto* law = std::get_if<Bilinear>(&law_)) return {{0, law->rebound - law->bump}};
+  if (const auto* law = std::get_if<Saturated>(&law_)) return {{0, law->at_rest.rebound - law->at_rest.bump}};
   if (const auto* law = std::get_if<Kneed>(&law_))
     return {{-law->bump.speed, law->inner.bump - law->bump.rate},
             {0, law->inner.rebound - law->inner.bump},

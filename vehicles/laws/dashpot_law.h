@@ -37,6 +37,11 @@ class DashpotLaw {
   /// Bilinear up to the knee of each side, the knee's rate beyond; continuous.
   static DashpotLaw Digressive(double bump, double rebound, Knee bump_knee, Knee rebound_knee);
 
+  /// f = rebound v / (1 + v/rebound_speed) for v > 0, bump v / (1 - v/bump_speed) otherwise. At these speeds [m/s] the
+  /// force is half of what the rate at rest would give; it stays below rate times speed. Degressive dampers are also
+  /// written c v / (1 + d |v|), d = 1/speed.
+  static DashpotLaw Saturating(double bump, double rebound, double bump_speed, double rebound_speed);
+
   /// MonotoneCurve through the points (speed, force); (0, 0) is added where it is missing. Speeds strictly increase,
   /// forces do not fall.
   static DashpotLaw Table(std::vector<double> speed, std::vector<double> force);
@@ -81,7 +86,7 @@ class DashpotLaw {
     double speed = 0;
     double jump = 0;
   };
-  /// Corners of the law: none for a smooth law or a table.
+  /// Corners of the law: none for a smooth law or a table, one at rest for a saturating law.
   std::vector<Kink> Kinks() const;
 
   /// (f(V) - f(-V)) / 2V at V = 0.1 m/s without friction: the rate in linear models. For a bilinear law the mean of
@@ -138,6 +143,21 @@ class DashpotLaw {
     double GreatestSlope() const;
   };
 
+  struct Saturated {
+    Bilinear at_rest;
+    double bump_speed;
+    double rebound_speed;
+
+    bool operator==(const Saturated&) const = default;
+    double Divisor(double v) const { return 1 + std::abs(v) / (v > 0 ? rebound_speed : bump_speed); }
+    double Force(double v) const { return at_rest.Force(v) / Divisor(v); }
+    double Slope(double v) const { return ForceAndSlope(v).second; }
+    std::pair<double, double> ForceAndSlope(double v) const;
+    double Velocity(double force) const;
+    double LeastSlope() const { return 0; }
+    double GreatestSlope() const { return at_rest.GreatestSlope(); }
+  };
+
   struct Tabulated {
     MonotoneCurve curve;
 
@@ -150,7 +170,7 @@ class DashpotLaw {
     double GreatestSlope() const { return curve.GreatestSlope(); }
   };
 
-  using Law = std::variant<Bilinear, Smoothed, Kneed, Tabulated>;
+  using Law = std::variant<Bilinear, Smoothed, Kneed, Saturated, Tabulated>;
 
   explicit DashpotLaw(Law law);
 

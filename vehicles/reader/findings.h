@@ -259,6 +259,9 @@ inline const Finding kSpringTablePlace{
     "give the extension, in the table, of the spring in the design pose: negative under compression"};
 inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
                                         "{} has a series spring, so its rates must be above zero"};
+inline const Finding kSeriesSaturates{"series-saturates", Severity::kError,
+                                      "{} has a series spring, whose force may pass the limit of a saturating law",
+                                      "use <digressive>, or remove the series spring"};
 inline const Finding kSeriesNotRising{"series-not-rising", Severity::kError,
                                       "{} has a series spring, so its force must rise with speed everywhere",
                                       "for a smooth law neither rate may be more than eleven times the other"};

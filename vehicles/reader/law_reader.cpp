@@ -124,6 +124,11 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
     dashpot.kind = DashpotDescription::Kind::kSmooth;
     dashpot.transition = parameters_.ReadScalar(law, "speed");
   }
+  if (law.rule->Name() == "saturating") {
+    dashpot.kind = DashpotDescription::Kind::kSaturating;
+    dashpot.compression_knee.speed = parameters_.ReadScalar(law, "bump_speed");
+    dashpot.rebound_knee.speed = parameters_.ReadScalar(law, "rebound_speed");
+  }
   if (law.rule->Name() == "digressive") {
     dashpot.kind = DashpotDescription::Kind::kDigressive;
     dashpot.compression_knee = {parameters_.ReadScalar(law, "bump_knee"), parameters_.ReadScalar(law, "bump_beyond")};
@@ -207,6 +212,10 @@ double LawReader::LeastRate(const DashpotDescription& dashpot) const {
 }
 
 void LawReader::CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot) {
+  if (dashpot.kind == DashpotDescription::Kind::kSaturating) {
+    faults_.Report(kSeriesSaturates, series.Line(), {Describe(*damper.element)});
+    return;
+  }
   if (CanStick(dashpot)) {
     faults_.Report(kSeriesWithoutRate, series.Line(), {Describe(*damper.element)});
     return;

@@ -253,6 +253,12 @@ std::vector<TagRule> MakeDamperTags() {
                       speed("rebound_knee", "speed of the knee in rebound"),
                       formerly("compression_beyond", Rate("bump_beyond", "slope beyond the knee in bump", "1 N*s/m")),
                       Rate("rebound_beyond", "slope beyond the knee in rebound", "1 N*s/m")}},
+      {.path = "fp:damper/saturating",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "f = rebound v / (1 + v / rebound_speed) for v > 0, likewise in bump; never more than rate times speed. "
+              "The degressive damper c v / (1 + d |v|), d = 1 / speed.",
+       .attributes = {bump, rebound, speed("bump_speed", "speed in bump at which the force is half of bump v"),
+                      speed("rebound_speed", "speed in rebound at which the force is half of rebound v")}},
       {.path = "fp:damper/table",
        .occurs = Occurs::kOneOfAll,
        .doc = "A measured curve: a monotone cubic (Fritsch and Carlson) through its points and (0, 0), straight on "

@@ -64,6 +64,21 @@ TEST(Equilibrium, MayHaveOnePreloadGiven) {
   EXPECT_NEAR(CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues()).tyre[0], kTyreLoad, 1e-9);  // rounding
 }
 
+// Chords of 40 and 20 kN/m meet with the slope 30 kN/m, beside a spring of 20 kN/m.
+TEST(Equilibrium, SharesALoadByTheRateOfAMeasuredSpringInTheDesignPose) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs.push_back(vehicle.springs[0]);
+  vehicle.springs[0].law = {.stiffness = {},
+                            .cubic = {},
+                            .knees = {},
+                            .table = {{{-0.1}, {-3000}}, {{-0.05}, {-1000}}, {{0}, {0}}},
+                            .place = {-0.05}};
+  vehicle.springs[1].law = {.stiffness = {20e3}, .cubic = {}, .knees = {}};
+  const Preloads preloads = CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues());
+  EXPECT_NEAR(preloads.spring[0], 0.6 * kSpringTension, 1e-9);  // rounding
+  EXPECT_NEAR(preloads.spring[1], 0.4 * kSpringTension, 1e-9);
+}
+
 TEST(Equilibrium, NeedsNoSpringWhereNothingHasWeight) {
   Vehicle vehicle = QuarterCarWith({}, {});
   vehicle.springs.clear();

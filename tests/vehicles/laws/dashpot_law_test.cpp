@@ -98,6 +98,43 @@ TEST(DashpotLaw, BilinearHasARateForEachSide) {
   EXPECT_EQ(law.MeanRate(), 2050);
 }
 
+TEST(DashpotLaw, SaturatingHasHalfOfItsStraightForceAtItsSpeed) {
+  const DashpotLaw law = DashpotLaw::Saturating(1500, 2600, 0.5, 0.25);
+  EXPECT_EQ(law.Force(0.25), 0.5 * 2600 * 0.25);
+  EXPECT_EQ(law.Force(-0.5), -0.5 * 1500 * 0.5);
+  EXPECT_EQ(law.Force(0), 0);
+  EXPECT_EQ(law.Slope(0), 2050);
+  EXPECT_EQ(law.Slope(0.25), 650);
+  EXPECT_EQ(law.Slope(-0.5), 375);
+  EXPECT_EQ(law.GreatestRate(), 2600);
+  EXPECT_EQ(law.LeastRate(), 0);
+  // Its limit is rate times speed, of which 1 / (1 + v / speed) is missing.
+  EXPECT_NEAR(law.Force(1e9), 650, 650 * 0.25e-9 + 650 * kUlp);
+  EXPECT_NEAR(law.Velocity(law.Force(0.7)), 0.7, 64 * kUlp);
+  EXPECT_NEAR(law.Velocity(law.Force(-0.7)), -0.7, 64 * kUlp);
+  EXPECT_TRUE(std::isinf(law.Velocity(650)));
+  ASSERT_EQ(law.Kinks().size(), 1U);
+  EXPECT_EQ(law.Kinks()[0].jump, 1100);
+}
+
+// Of v = V sin, with a = V / speed: c / pi times the integral of sin^2 / (1 + a sin) over half a cycle, twice; that is
+// 2/a - pi/a^2 + (pi - 2 asin a) / (a^2 sqrt(1 - a^2)).
+TEST(DashpotLaw, SaturatingHasTheEquivalentRateOfItsClosedForm) {
+  const DashpotLaw law = DashpotLaw::Saturating(2000, 2000, 0.4, 0.4);
+  for (const double a : {0.1, 0.5, 0.9}) {
+    constexpr int kSamples = 20000;
+    double work = 0;
+    for (int k = 0; k < kSamples; ++k) {
+      const double sine = std::sin(2 * std::numbers::pi * (k + 0.5) / kSamples);
+      work += law.Force(0.4 * a * sine) * sine / kSamples;
+    }
+    const double half_cycle =
+        2 / a - std::numbers::pi / (a * a) + (std::numbers::pi - 2 * std::asin(a)) / (a * a * std::sqrt(1 - a * a));
+    // The midpoint rule errs by corners of the third derivative at rest: below 1 / kSamples^2 of the force.
+    EXPECT_NEAR(2 * work / (0.4 * a), 2 / std::numbers::pi * 2000 * half_cycle, 2000 * 10.0 / kSamples / kSamples);
+  }
+}
+
 /// 100 x mean squared error over variance of the best linear dashpot, for a sinusoidal rate.
 double ErrorOfTheMeanRate(const DashpotLaw& law) {
   constexpr int kSamples = 10000;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,6 +22,14 @@ SpringLaw Coil() {
           .knees = {{.at = 0.02, .side = 1, .stiffness = -10e3},
                     {.at = -0.05, .side = -1, .stiffness = 5e3, .cubic = 4e8},
                     {.at = 0.06, .side = 1, .stiffness = 200e3}}};
+}
+
+/// A progressive coil as measured, from the design pose.
+SpringLaw MeasuredCoil() {
+  SpringLaw law;
+  law.curve.emplace(std::vector<double>{-0.06, -0.03, 0.0, 0.03, 0.06},
+                    std::vector<double>{-5200, -3300, -2000, -1000, 0});
+  return law;
 }
 
 TEST(SpringLaw, LinearIsProportional) {
@@ -70,7 +79,7 @@ double Quadrature(const SpringLaw& law, int hundredths) {
 TEST(SpringLaw, EnergyIsTheIntegralOfForce) {
   SpringLaw engaged = Coil();
   engaged.knees.push_back({.at = 0.03, .side = -1, .stiffness = 8e3, .cubic = 1e6});
-  for (const SpringLaw& law : {Coil(), engaged})
+  for (const SpringLaw& law : {Coil(), engaged, MeasuredCoil()})
     for (int hundredths = -10; hundredths <= 10; ++hundredths)
       // Rounding of some kN over 0.1 m.
       EXPECT_NEAR(law.Energy(0.01 * hundredths), Quadrature(law, hundredths), 1e4 * 100 * kUlp);
@@ -89,7 +98,29 @@ TEST(SpringLaw, KneesOfNothingLeaveItLinear) {
   EXPECT_TRUE((SpringLaw{.stiffness = 30e3, .knees = {{.at = 0.02}}}.IsLinear()));
 }
 
+TEST(SpringLaw, CurveLeavesItsForceInTheDesignPoseToThePreload) {
+  const SpringLaw law = MeasuredCoil();
+  EXPECT_EQ(law.Force(0), 0);
+  EXPECT_DOUBLE_EQ(law.Force(0.06), 2000);
+  EXPECT_DOUBLE_EQ(law.Force(-0.06), -3200);
+  // The parabola through the neighbours: mean of the chords 1300 and 1000 N over 30 mm.
+  EXPECT_DOUBLE_EQ(law.Slope(0), 2300 / 0.06);
+  EXPECT_FALSE(law.IsLinear());
+}
+
+TEST(SpringLaw, CurveOnALineIsTheLinearSpring) {
+  SpringLaw law;
+  law.curve.emplace(std::vector<double>{-0.1, -0.02, 0.05}, std::vector<double>{-2500, -100, 2000});
+  for (double x = -0.2; x < 0.2; x += 0.013) {
+    // Rounding of some kN.
+    EXPECT_NEAR(law.Force(x), 30e3 * x, 1e4 * 16 * kUlp) << x;
+    EXPECT_NEAR(law.Energy(x), 15e3 * x * x, 1e4 * 16 * kUlp) << x;
+  }
+}
+
 TEST(SpringLaw, IsNanForNan) {
+  EXPECT_TRUE(std::isnan(MeasuredCoil().Force(kNan)));
+  EXPECT_TRUE(std::isnan(MeasuredCoil().Energy(kNan)));
   EXPECT_TRUE(std::isnan(Coil().Force(kNan)));
   EXPECT_TRUE(std::isnan(Coil().Slope(kNan)));
   EXPECT_TRUE(std::isnan(Coil().Energy(kNan)));

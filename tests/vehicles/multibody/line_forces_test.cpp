@@ -66,6 +66,7 @@ TEST(BodyLine, PullsItsEndsTogether) {
 const SpringLaw kLinear{.stiffness = 30e3, .knees = {}};
 const SpringLaw kCubic{.stiffness = 30e3, .cubic = 2e6, .knees = {}};
 const SpringLaw kMultirate{.stiffness = 30e3, .knees = {{-0.05, -1, 20e3, 0}, {0.04, 1, -10e3, 0}}};
+const SpringLaw kMeasured{.curve = MonotoneCurve({-0.1, -0.04, 0.01, 0.05}, {-6000, -1800, 200, 900})};
 const SpringLaw kStop{.stiffness = 0, .knees = {{-0.02, -1, 200e3, 5e7}, {0.03, 1, 100e3, 0}}};
 
 // It dissipates nothing and stores nothing: what it gives is its tension times the rate at which it shortens.
@@ -89,7 +90,7 @@ TEST(ActuatorForce, IsInternalAndGivesItsTensionTimesItsRate) {
 }
 
 TEST(SpringForce, IsInternalAndKeepsEnergyForEveryLaw) {
-  for (const SpringLaw& law : {kLinear, kCubic, kMultirate, kStop})
+  for (const SpringLaw& law : {kLinear, kCubic, kMultirate, kMeasured, kStop})
     ForEachLine([&](auto line_of) {
       ForceChecker checker;
       const SpringData data{.line = line_of(checker), .law = law, .preload = -500};

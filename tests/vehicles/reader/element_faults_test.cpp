@@ -42,56 +42,66 @@ FaultCase Bounded(const std::string& name, const std::string& parameter, const s
 
 const std::string kSlowPoint = R"(<point speed="-$v_table" force="-$f_table"/>)";
 
+const std::string kCubic = R"(<cubic stiffness="$k_fr" cubic="$k3_fr"/>)";
+
 INSTANTIATE_TEST_SUITE_P(
     Springs, ElementFaults,
-    ::testing::Values(FaultCase{"NoKnee", R"(<knee at="$at_bump" stiffness="$k_bump"/>
+    ::testing::Values(
+        FaultCase{"SpringTableOfOnePoint", kCubic, R"(<table><point extension="0 mm" force="0 N"/></table>)",
+                  "<table><point extension", kSpringTablePoints},
+        FaultCase{"SpringTableThatFalls",
+                  kCubic,
+                  "<table><point extension=\"0 mm\" force=\"0 N\"/>\n<point extension=\"9 mm\" "
+                  "force=\"-1 N\"/></table>",
+                  R"(<point extension="9 mm")",
+                  kSpringPointOrder,
+                  {"9 mm"}},
+        FaultCase{"NoKnee", R"(<knee at="$at_bump" stiffness="$k_bump"/>
       <knee at="$at_rebound" stiffness="$k_rebound"/>)",
-                                "", "<multirate", kKneeNone},
-                      FaultCase{"KneeAtZero",
-                                R"(at="$at_bump")",
-                                R"(at="0 mm")",
-                                R"(at="0 mm")",
-                                kKneeOrder,
-                                {R"(at="0 mm" of <knee>)", "fp:spring 'fl'"}},
-                      FaultCase{"KneesOutOfOrder", R"(<knee at="$at_bump")",
-                                R"(<knee at="-50 mm" stiffness="1 N/mm"/><knee at="$at_bump")", "<knee", kKneeOrder},
-                      Bounded("KneeCrossesZero", "at_rebound", R"(lower="-1 mm" upper="40 mm" precision="1 mm")",
-                              R"(<knee at="$at_rebound")", kKneeOrder),
-                      FaultCase{"KneeWithoutRate",
-                                R"(<knee at="$at_bump" stiffness="$k_bump"/>)",
-                                R"(<knee at="$at_bump"/>)",
-                                R"(<knee at="$at_bump")",
-                                kAttributeMissing,
-                                {"'stiffness'"}},
-                      FaultCase{"NegativeCubic", R"(name="k3_fr" value="400 kN/m^3")",
-                                R"(name="k3_fr" value="-400 kN/m^3")", R"(cubic="$k3_fr")", kNumberNegative},
-                      FaultCase{"CubicOfOtherDimension", R"(cubic="$k3_fr")", R"(cubic="$k_fr")", R"(cubic="$k_fr")",
-                                kParameterOfOtherDimension},
-                      FaultCase{"PreloadAndFreeLength", R"(free_length="$l_rr")",
-                                R"(free_length="$l_rr" preload="1 kN")", R"(free_length="$l_rr")",
-                                kPreloadAndFreeLength},
-                      FaultCase{"EquilibriumAndFreeLength", R"(free_length="$l_rr")",
-                                R"(free_length="$l_rr" preload="equilibrium")", R"(free_length="$l_rr")",
-                                kPreloadAndFreeLength},
-                      FaultCase{"GuidedFreeLength", R"(<fp:spring name="rr" parent="top_rr" child="seat_rr">)",
-                                R"(<fp:spring name="rr" parent="top_rr" child="seat_rr" axis="0 0 1">)",
-                                R"(free_length="$l_rr")", kFreeLengthGuided},
-                      FaultCase{"ZeroFreeLength", R"(name="l_rr" value="0.33 m")", R"(name="l_rr" value="0 m")",
-                                R"(free_length="$l_rr")", kNumberNotPositive},
-                      FaultCase{"EmptyStop", R"(axis="0 0 1"><bump gap="$gap_bump" stiffness="$k_stop"/></fp:stop>)",
-                                R"(axis="0 0 1"></fp:stop>)", R"(<fp:stop name="rr")", kStopEmpty},
-                      FaultCase{"NegativeGap",
-                                R"(name="gap_rebound" value="16 mm")",
-                                R"(name="gap_rebound" value="-16 mm")",
-                                R"(<rebound)",
-                                kNumberNegative,
-                                {R"(gap="$gap_rebound" of <rebound>)", "fp:stop 'rl'"}},
-                      FaultCase{"StopWithoutGap",
-                                R"(<rebound gap="$gap_rebound" )",
-                                "<rebound ",
-                                "<rebound",
-                                kAttributeMissing,
-                                {"'gap'"}}),
+                  "", "<multirate", kKneeNone},
+        FaultCase{"KneeAtZero",
+                  R"(at="$at_bump")",
+                  R"(at="0 mm")",
+                  R"(at="0 mm")",
+                  kKneeOrder,
+                  {R"(at="0 mm" of <knee>)", "fp:spring 'fl'"}},
+        FaultCase{"KneesOutOfOrder", R"(<knee at="$at_bump")",
+                  R"(<knee at="-50 mm" stiffness="1 N/mm"/><knee at="$at_bump")", "<knee", kKneeOrder},
+        Bounded("KneeCrossesZero", "at_rebound", R"(lower="-1 mm" upper="40 mm" precision="1 mm")",
+                R"(<knee at="$at_rebound")", kKneeOrder),
+        FaultCase{"KneeWithoutRate",
+                  R"(<knee at="$at_bump" stiffness="$k_bump"/>)",
+                  R"(<knee at="$at_bump"/>)",
+                  R"(<knee at="$at_bump")",
+                  kAttributeMissing,
+                  {"'stiffness'"}},
+        FaultCase{"NegativeCubic", R"(name="k3_fr" value="400 kN/m^3")", R"(name="k3_fr" value="-400 kN/m^3")",
+                  R"(cubic="$k3_fr")", kNumberNegative},
+        FaultCase{"CubicOfOtherDimension", R"(cubic="$k3_fr")", R"(cubic="$k_fr")", R"(cubic="$k_fr")",
+                  kParameterOfOtherDimension},
+        FaultCase{"PreloadAndFreeLength", R"(free_length="$l_rr")", R"(free_length="$l_rr" preload="1 kN")",
+                  R"(free_length="$l_rr")", kPreloadAndFreeLength},
+        FaultCase{"EquilibriumAndFreeLength", R"(free_length="$l_rr")", R"(free_length="$l_rr" preload="equilibrium")",
+                  R"(free_length="$l_rr")", kPreloadAndFreeLength},
+        FaultCase{"GuidedFreeLength", R"(<fp:spring name="rr" parent="top_rr" child="seat_rr">)",
+                  R"(<fp:spring name="rr" parent="top_rr" child="seat_rr" axis="0 0 1">)", R"(free_length="$l_rr")",
+                  kFreeLengthGuided},
+        FaultCase{"ZeroFreeLength", R"(name="l_rr" value="0.33 m")", R"(name="l_rr" value="0 m")",
+                  R"(free_length="$l_rr")", kNumberNotPositive},
+        FaultCase{"EmptyStop", R"(axis="0 0 1"><bump gap="$gap_bump" stiffness="$k_stop"/></fp:stop>)",
+                  R"(axis="0 0 1"></fp:stop>)", R"(<fp:stop name="rr")", kStopEmpty},
+        FaultCase{"NegativeGap",
+                  R"(name="gap_rebound" value="16 mm")",
+                  R"(name="gap_rebound" value="-16 mm")",
+                  R"(<rebound)",
+                  kNumberNegative,
+                  {R"(gap="$gap_rebound" of <rebound>)", "fp:stop 'rl'"}},
+        FaultCase{"StopWithoutGap",
+                  R"(<rebound gap="$gap_rebound" )",
+                  "<rebound ",
+                  "<rebound",
+                  kAttributeMissing,
+                  {"'gap'"}}),
     CaseName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -110,6 +120,9 @@ INSTANTIATE_TEST_SUITE_P(
                   {"fp:damper 'fr'"}},
         Bounded("FlatWithinBounds", "c_beyond", R"(lower="0 N*s/m" upper="1 kN*s/m" precision="1 N*s/m")",
                 R"(<series stiffness="$k_mount" cubic)", kSeriesWithoutRate),
+        FaultCase{"SaturatingInSeries", R"(<smooth bump="$c_bump" rebound="$c_rebound" speed="$v_smooth"/>)",
+                  R"(<saturating bump="$c_bump" rebound="$c_rebound" bump_speed="1 m/s" rebound_speed="1 m/s"/>)",
+                  R"(<series stiffness="$k_mount"/>)", kSeriesSaturates},
         FaultCase{"SmoothLawThatFalls", R"(bump="$c_bump" rebound="$c_rebound" speed)",
                   R"(bump="0.05*$c_bump" rebound="$c_rebound" speed)", R"(<series stiffness="$k_mount"/>)",
                   kSeriesNotRising},
@@ -339,6 +352,36 @@ TEST_F(ElementReader, TakesAFreeLengthWithEveryLaw) {
     const auto is_given = [](const Spring& spring) { return spring.free_length && spring.free_length->value == 0.3; };
     EXPECT_EQ(std::count_if(vehicle->springs.begin(), vehicle->springs.end(), is_given), 1) << law;
   }
+}
+
+const std::string kHelper = R"(child="ground"><linear stiffness="$k"/></fp:spring>)";
+
+TEST_F(ElementReader, ReadsAMeasuredSpring) {
+  const std::optional<Vehicle> vehicle = Read(Replaced(kSmallVehicle, kHelper, R"(child="ground"><table at="-50 mm">
+    <point extension="-100 mm" force="-3 kN"/><point extension="-50 mm" force="-1 kN"/>
+    <point extension="0 mm" force="0 N"/></table></fp:spring>)"));
+  ASSERT_TRUE(vehicle.has_value());
+  const SpringLaw law = vehicle->springs.at(1).law.At(vehicle->ParameterValues());
+  EXPECT_EQ(law.Force(0), 0);
+  EXPECT_DOUBLE_EQ(law.Force(0.05), 1000);
+  EXPECT_DOUBLE_EQ(law.Force(-0.05), -2000);
+}
+
+TEST_F(ElementReader, WarnsOfADesignPoseBeyondTheTableOfItsSpring) {
+  const std::string text = Replaced(kSmallVehicle, kHelper, R"(child="ground"><table at="50 mm">
+    <point extension="-100 mm" force="-3 kN"/><point extension="0 mm" force="0 N"/></table></fp:spring>)");
+  EXPECT_TRUE(Read(text).has_value());
+  Expect(LineOf(text, "at=\"50 mm"), kSpringTablePlace, {"at=\"50 mm\""});
+}
+
+TEST_F(ElementReader, ReadsASaturatingDamper) {
+  const std::optional<Vehicle> vehicle = Read(
+      Replaced(kSmallVehicle, R"(<linear rate="10 N*s/m"/>)",
+               R"(<saturating bump="1 kN*s/m" rebound="2 kN*s/m" bump_speed="0.5 m/s" rebound_speed="0.25 m/s"/>)"));
+  ASSERT_TRUE(vehicle.has_value());
+  const DashpotLaw law = vehicle->dampers.at(1).law.At(vehicle->ParameterValues());
+  EXPECT_DOUBLE_EQ(law.Force(0.25), 250);
+  EXPECT_DOUBLE_EQ(law.Force(-0.5), -250);
 }
 
 TEST_F(ElementReader, TakesAPointAtTheOrigin) {

@@ -232,6 +232,26 @@ void AddBumpStop(Vehicle& vehicle) {
       {.side = -1, .at = By(vehicle, "c_bump", 0.01 / 800), .rate = By(vehicle, "c_rebound", 50), .cubic = {}});
 }
 
+void MeasureSpring(Vehicle& vehicle) {
+  vehicle.springs[0].law = {.stiffness = {},
+                            .cubic = {},
+                            .knees = {},
+                            .table = {{{-0.05}, By(vehicle, "k", -0.06)},
+                                      {{-0.01}, By(vehicle, "k", -0.008)},
+                                      {{0.02}, By(vehicle, "k", 0.014)},
+                                      {{0.06}, By(vehicle, "k", 0.09)}},
+                            .place = By(vehicle, "c_bump", 0.005 / 800)};
+}
+
+/// Rates at rest and speeds go with the parameters.
+void MakeSaturating(Vehicle& vehicle) {
+  vehicle.dampers[0].law = {.kind = DashpotDescription::Kind::kSaturating,
+                            .compression = By(vehicle, "c_bump", 2),
+                            .rebound = By(vehicle, "c_rebound", 1.5),
+                            .compression_knee = {By(vehicle, "c_bump", 2e-4), {}},
+                            .rebound_knee = {By(vehicle, "c_rebound", 1e-4), {}}};
+}
+
 void LetTyreLift(Vehicle& vehicle) { vehicle.tyres[0].lifts_off = true; }
 
 INSTANTIATE_TEST_SUITE_P(Elements, BalanceSensitivityOfAnElement,
@@ -242,6 +262,8 @@ INSTANTIATE_TEST_SUITE_P(Elements, BalanceSensitivityOfAnElement,
                                                        MakeDigressive(vehicle);
                                                        PutInSeries(vehicle);
                                                      }},
+                                         ElementCase{"Saturating", MakeSaturating},
+                                         ElementCase{"MeasuredSpring", MeasureSpring, {{1.2}, {0.02}, {1}}},
                                          ElementCase{"BumpStop", AddBumpStop, {{1.2}, {0.02}, {1}}},
                                          ElementCase{"Liftoff", LetTyreLift, {{12}, {0.015}, {1}}}),
                          testing::PrintToStringParamName());

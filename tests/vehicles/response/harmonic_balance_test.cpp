@@ -154,6 +154,11 @@ const DashpotDescription kDigressive = {.kind = DashpotDescription::Kind::kDigre
                                         .rebound = {4000},
                                         .compression_knee = {{0.05}, {500}},
                                         .rebound_knee = {{0.08}, {800}}};
+const DashpotDescription kSaturating = {.kind = DashpotDescription::Kind::kSaturating,
+                                        .compression = {2000},
+                                        .rebound = {4000},
+                                        .compression_knee = {{0.2}, {}},
+                                        .rebound_knee = {{0.1}, {}}};
 const DashpotDescription kTable = {.kind = DashpotDescription::Kind::kTable,
                                    .table = {{{-0.5}, {-500}}, {{-0.1}, {-200}}, {{0.1}, {300}}, {{0.5}, {900}}}};
 
@@ -165,9 +170,22 @@ INSTANTIATE_TEST_SUITE_P(Laws, HarmonicBalanceOfALaw,
                          testing::Values(LawCase{"Smooth", kSmooth, false}, LawCase{"SmoothInSeries", kSmooth, true},
                                          LawCase{"Digressive", kDigressive, false},
                                          LawCase{"DigressiveInSeries", kDigressive, true},
-                                         LawCase{"Table", kTable, false}, LawCase{"Friction", WithFriction(50), false},
+                                         LawCase{"Saturating", kSaturating, false}, LawCase{"Table", kTable, false},
+                                         LawCase{"Friction", WithFriction(50), false},
                                          LawCase{"FrictionInSeries", WithFriction(50), true}),
                          testing::PrintToStringParamName());
+
+// The strut passes three points of the table, and in bump its end.
+TEST(HarmonicBalance, ConvergesToTheMarchOnAMeasuredSpring) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.springs[0].law = {.stiffness = {},
+                            .cubic = {},
+                            .knees = {},
+                            .table = {{{-0.09}, {-2400}}, {{-0.07}, {-1500}}, {{-0.05}, {-900}}, {{0}, {0}}},
+                            .place = {-0.06}};
+  const double strut = std::abs(ExpectMarched(vehicle, {{1.2}, {0.03}, {1}}).Find("s_strut")->response[0]) * 0.03;
+  EXPECT_GT(strut, 0.03);
+}
 
 // Friction of 150 N holds the strut for most of the cycle, at 0.2 mm for all but creep.
 TEST(HarmonicBalance, ConvergesToTheMarchWhereFrictionSticks) {
