@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include <gmock/gmock.h>
 
@@ -128,6 +129,31 @@ TEST_F(HistoryResidualsTest, TakeFromTheModelWhatIsTakenFromTheRecord) {
   const Eigen::VectorXd error = (modelled - measured).segment(ends, count);
   // Of the filter's memory a ten-thousandth is left after two seconds; of the integration's error 3e-3.
   EXPECT_LT(error.norm(), 5e-3 * measured.segment(ends, count).norm());
+}
+
+// Central differences whose steps are a ten-thousandth leave some 1e-4 where friction turns about.
+TEST_F(HistoryResidualsTest, HaveTheDerivativesOfDifferences) {
+  const std::vector<double> values = vehicle_.ParameterValues();
+  std::vector<std::size_t> all(values.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (const HistoryCost cost : {HistoryCost::kWhitened, HistoryCost::kCompromise}) {
+    const HistoryResiduals residuals = Residuals(Recording(), {.cost = cost});
+    ASSERT_TRUE(residuals.HasDerivatives());
+    // Away from the truth, where the compromise has no slope.
+    std::vector<double> here = values;
+    here[0] *= 1.1;
+    const Eigen::MatrixXd derivatives = residuals.Derivatives(here, all);
+    for (std::size_t p = 0; p < here.size(); ++p) {
+      const auto at = [&](double share) {
+        std::vector<double> other = here;
+        other[p] *= 1 + share;
+        return residuals.At(other);
+      };
+      const Eigen::VectorXd expected = (at(1e-4) - at(-1e-4)) / (2e-4 * here[p]);
+      EXPECT_LT((derivatives.col(static_cast<Eigen::Index>(p)) - expected).norm(), 5e-3 * expected.norm())
+          << vehicle_.parameters[p].name;
+    }
+  }
 }
 
 TEST_F(HistoryResidualsTest, OfTheCompromiseAddUpToItsCost) {
