@@ -253,10 +253,10 @@ inline const Finding kSpringTablePoints{"spring-table-points", Severity::kError,
                                         "add them as <point extension=\"...\" force=\"...\"/>"};
 inline const Finding kSpringPointOrder{
     "spring-point-order", Severity::kError, "the point at \"{}\" of {} does not rise above the point before it",
-    "give it more extension and more force, over the whole range of parameters; compression has a minus in both"};
+    "give it more extension and more force, over the whole range of parameters; both are negative in bump"};
 inline const Finding kSpringTablePlace{
     "spring-table-place", Severity::kWarning, "{} lies beyond the ends of the table, where the spring goes straight on",
-    "give the extension, in the table, of the spring in the design pose: negative under compression"};
+    "give the extension, in the table, of the spring in the design pose: negative where it is pushed together"};
 inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
                                         "{} has a series spring, so its rates must be above zero"};
 inline const Finding kSeriesSaturates{"series-saturates", Severity::kError,

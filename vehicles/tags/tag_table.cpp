@@ -195,7 +195,7 @@ std::vector<TagRule> MakeSpringTags() {
                             Measure("at", kLength, Sign::kAny, "extension in the table in the design pose", "0 m")),
                       preload, free_length}},
       {.path = "fp:spring/table/point",
-       .doc = "A point of the curve, in the order of rising extension and force. Compression has a minus in both, as "
+       .doc = "A point of the curve, in the order of rising extension and force; both are negative in bump, as "
               "from a bench that counts from the free length.",
        .attributes = {Usual("", "1 m", Measure("extension", kLength, Sign::kAny, "extension from the table's zero")),
                       Usual("", "200 kN", Measure("force", kForce, Sign::kAny, "tension"))}},
