@@ -175,16 +175,16 @@ INSTANTIATE_TEST_SUITE_P(Laws, HarmonicBalanceOfALaw,
                                          LawCase{"FrictionInSeries", WithFriction(50), true}),
                          testing::PrintToStringParamName());
 
-// The strut passes three points of the table, and in bump its end.
+// The strut passes a point of the table, and in bump its end, 10 mm from the design pose.
 TEST(HarmonicBalance, ConvergesToTheMarchOnAMeasuredSpring) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   vehicle.springs[0].law = {.stiffness = {},
                             .cubic = {},
                             .knees = {},
-                            .table = {{{-0.09}, {-2400}}, {{-0.07}, {-1500}}, {{-0.05}, {-900}}, {{0}, {0}}},
+                            .table = {{{-0.07}, {-1500}}, {{-0.05}, {-900}}, {{0}, {0}}},
                             .place = {-0.06}};
   const double strut = std::abs(ExpectMarched(vehicle, {{1.2}, {0.03}, {1}}).Find("s_strut")->response[0]) * 0.03;
-  EXPECT_GT(strut, 0.03);
+  EXPECT_GT(strut, 0.012);
 }
 
 // Friction of 150 N holds the strut for most of the cycle, at 0.2 mm for all but creep.
