@@ -255,8 +255,8 @@ std::vector<TagRule> MakeDamperTags() {
                       Rate("rebound_beyond", "slope beyond the knee in rebound", "1 N*s/m")}},
       {.path = "fp:damper/saturating",
        .occurs = Occurs::kOneOfAll,
-       .doc = "f = rebound v / (1 + v / rebound_speed) for v > 0, likewise in bump; never more than rate times speed. "
-              "The degressive damper c v / (1 + d |v|), d = 1 / speed.",
+       .doc = "f = rebound v / (1 + v / rebound_speed) for v > 0, likewise in bump: the degressive damper "
+              "c v / (1 + d |v|) with d = 1 / rebound_speed. It never reaches rebound times rebound_speed.",
        .attributes = {bump, rebound, speed("bump_speed", "speed in bump at which the force is half of bump v"),
                       speed("rebound_speed", "speed in rebound at which the force is half of rebound v")}},
       {.path = "fp:damper/table",

@@ -82,8 +82,8 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 class MotionSensitivityOf : public testing::TestWithParam<Case> {};
 
-// Against central differences of whole marches; a neighbour is a thousandth away, of which they leave the square of a
-// hundredth where laws bend within it. Kinks that steps meet a little later leave the rest.
+// Against central differences of whole marches, a ten-thousandth to either side. They are smooth to 1e-8 of that; what
+// is left are steps in which a kink is met on one side and not on the other.
 TEST_P(MotionSensitivityOf, IsTheDifferenceOfMarches) {
   Vehicle vehicle = BilinearQuarterCar();
   GetParam().change(vehicle);
