@@ -30,16 +30,15 @@ ModelChanges::ModelChanges(const CondensedVehicle& vehicle, std::span<const doub
       linear_(model_, LinearVehicle::Rates::kCentre),
       ports_(PortsOf(model_)) {}
 
-double ModelChanges::StepOf(std::size_t parameter) const {
-  const Parameter& given = vehicle_.vehicle().parameters[parameter];
-  const double scale = std::max(std::abs(values_[parameter]), 0.01 * (given.upper - given.lower));
+double DifferenceOf(const Parameter& parameter, double value) {
+  const double scale = std::max(std::abs(value), 0.01 * (parameter.upper - parameter.lower));
   return kStep * (scale > 0 ? scale : 1);
 }
 
 ModelChange ModelChanges::By(std::size_t parameter) const {
   if (parameter >= values_.size()) throw std::invalid_argument("ModelChanges: no parameter of this index");
   std::vector<double> values = values_;
-  values[parameter] += StepOf(parameter);
+  values[parameter] += DifferenceOf(vehicle_.vehicle().parameters[parameter], values[parameter]);
   const double step = values[parameter] - values_[parameter];
   const CondensedModel model = vehicle_.At(values);
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);

@@ -10,6 +10,7 @@
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/condensed/port.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 
@@ -46,6 +47,10 @@ struct ModelChange {
   double step = 0;
 };
 
+/// Difference of a parameter at this value [SI]: small enough for what is not linear in it, and large against what a
+/// model is computed to.
+double DifferenceOf(const Parameter& parameter, double value);
+
 /// A reduced vehicle at given values of its parameters, prepared to compute the change with any of them.
 class ModelChanges {
  public:
@@ -59,7 +64,6 @@ class ModelChanges {
   ModelChange By(std::size_t parameter) const;
 
  private:
-  double StepOf(std::size_t parameter) const;
   std::vector<ModelChange::Law> ChangedLaws(const std::vector<Port>& changed) const;
 
   const CondensedVehicle& vehicle_;

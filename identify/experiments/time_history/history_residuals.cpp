@@ -15,6 +15,7 @@
 #include "identify/experiments/time_history/start_state.h"
 #include "identify/residuals/calibrated_sensor.h"
 #include "identify/residuals/sensor_group.h"
+#include "vehicles/condensed/model_change.h"
 #include "vehicles/simulation/motion_sensitivity.h"
 
 namespace fourpost {
@@ -193,11 +194,7 @@ Eigen::MatrixXd HistoryResiduals::Derivatives(const std::vector<double>& values,
 }
 
 std::vector<double> HistoryResiduals::NeighbourOf(std::vector<double> values, std::size_t parameter) const {
-  // As ModelChanges: small enough for what is not linear, and large against what the models are computed to.
-  constexpr double kStep = 1e-6;
-  const Parameter& given = condensed_->vehicle().parameters[parameter];
-  const double scale = std::max(std::abs(values[parameter]), 0.01 * (given.upper - given.lower));
-  values[parameter] += kStep * (scale > 0 ? scale : 1);
+  values[parameter] += DifferenceOf(condensed_->vehicle().parameters[parameter], values[parameter]);
   return values;
 }
 
