@@ -26,7 +26,8 @@ Json JsonOf(const YAML::Node& node) {
 
 /// Of a study what its residuals depend on beside model and files; the text where it is no YAML.
 Json SettingsOf(const std::string& study, ExperimentReports experiments) {
-  constexpr std::array<const char*, 6> kOfNoExperiment = {"vehicle", "free", "search", "refine", "target", "methods"};
+  constexpr std::array<const char*, 7> kOfNoExperiment = {"vehicle", "about",  "free",   "search",
+                                                          "refine",  "target", "methods"};
   Diagnostics faults;
   const std::optional<YAML::Node> root = ReadYaml(study, "study.yaml", faults);
   if (!root) return study;

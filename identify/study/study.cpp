@@ -15,6 +15,7 @@
 #include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
+#include "identify/study_file/study_about.h"
 #include "identify/study_file/study_yaml.h"
 
 namespace fourpost {
@@ -51,6 +52,8 @@ class StudyReader {
     const std::vector<const ExperimentKind*> kinds = KindsOf(root);
     const StrictMap top = Map(root, "the study", KeysOf(kinds));
     ReadVehicle(top);
+    // For its report alone.
+    ReadStudyAbout(top);
     for (const ExperimentKind* kind : kinds)
       if (std::unique_ptr<Experiment> experiment = kind->read(top)) study_.experiments.Add(std::move(experiment));
     if (top.Has("free")) ReadFree(top.Get("free"));
@@ -75,8 +78,8 @@ class StudyReader {
   }
 
   static std::vector<std::string_view> KeysOf(const std::vector<const ExperimentKind*>& kinds) {
-    std::vector<std::string_view> keys = {"vehicle", "free",   "start",  "control", "calibration",
-                                          "search",  "refine", "target", "methods"};
+    std::vector<std::string_view> keys = {"vehicle",     "about",  "free",   "start",  "control",
+                                          "calibration", "search", "refine", "target", "methods"};
     for (const ExperimentKind* kind : kinds) keys.insert(keys.end(), kind->keys.begin(), kind->keys.end());
     return keys;
   }
