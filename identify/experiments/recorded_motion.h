@@ -1,5 +1,7 @@
 #pragma once
 
+#include <complex>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,10 +11,19 @@
 
 namespace fourpost {
 
+/// By what a sensor's measured response differs from the modelled one, as a FrequencyResponse has them; NaN where
+/// nothing was measured.
+struct ReadingDifference {
+  /// Index into Vehicle::sensors.
+  std::size_t sensor = 0;
+  std::vector<std::complex<double>> difference;
+};
+
 /// Steady motion of the posts that was recorded.
 struct RecordedMotion {
   std::string name;
   Excitation excitation;
+  std::vector<ReadingDifference> differences;
 };
 
 /// How posts and vehicle moved, from time to time.

@@ -210,25 +210,36 @@ CondensedModel WithCoordinatesAsSensors(CondensedModel model) {
   return model;
 }
 
-OrderedJson MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>& motions) {
+/// A row per frequency.
+OrderedJson RowsJson(const Eigen::MatrixXcd& rows) {
+  OrderedJson list = OrderedJson::array();
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const Eigen::VectorXcd row = rows.row(i).transpose();
+    list.push_back(ComplexJson(std::vector<std::complex<double>>(row.begin(), row.end())));
+  }
+  return list;
+}
+
+OrderedJson MotionsJson(const Vehicle& vehicle, const CondensedModel& model,
+                        const std::vector<RecordedMotion>& motions) {
   OrderedJson list = OrderedJson::array();
   const std::vector<Sensor> coordinates(static_cast<std::size_t>(model.mass.rows()),
                                         Sensor{.type = Sensor::Type::kDisplacement});
   const CondensedModel seen = WithCoordinatesAsSensors(model);
   for (const RecordedMotion& motion : motions) {
     const FrequencyResponse response = SolveHarmonicBalance(seen, coordinates, motion.excitation, kFitBalance).response;
-    OrderedJson answers = OrderedJson::array();
-    for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
-      std::vector<std::complex<double>> answer;
-      for (const ChannelResponse& channel : response.channels) answer.push_back(channel.response[i]);
-      answers.push_back(ComplexJson(answer));
-    }
+    Eigen::MatrixXcd answers(static_cast<Eigen::Index>(response.frequency_Hz.size()), model.mass.rows());
+    for (Eigen::Index j = 0; j < answers.cols(); ++j)
+      for (Eigen::Index i = 0; i < answers.rows(); ++i)
+        answers(i, j) = response.channels[static_cast<std::size_t>(j)].response[static_cast<std::size_t>(i)];
     list.push_back({{"name", motion.name},
                     {"engine", EngineName(Engine::kReduced)},
                     {"frequency_Hz", motion.excitation.frequency_Hz},
                     {"amplitude_m", motion.excitation.amplitude_m},
                     {"posts", motion.excitation.shape},
-                    {"coordinates", answers}});
+                    {"coordinates", RowsJson(answers)}});
+    if (const Eigen::MatrixXcd measured = MeasuredMotion(vehicle, model, motion, answers); measured.rows() > 0)
+      list.back()["measured"] = RowsJson(measured);
   }
   return list;
 }
@@ -284,7 +295,7 @@ OrderedJson SceneJson(const Vehicle& vehicle, const RecordedMotions& motions) {
           {"posts", PostsJson(vehicle)},
           {"sensors", SensorsJson(vehicle)},
           {"modes", ModesJson(vehicle, pose, model, values)},
-          {"motions", MotionsJson(model, motions.steady)},
+          {"motions", MotionsJson(vehicle, model, motions.steady)},
           {"histories", HistoriesJson(model, motions.over_time)}};
 }
 

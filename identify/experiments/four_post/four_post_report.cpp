@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -75,6 +77,29 @@ std::string BandText(const nlohmann::json& result) {
   return ShownShort(band[0].get<double>(), 4) + " to " + ShownShort(band[1].get<double>(), 4) + " Hz";
 }
 
+std::complex<double> Phasor(double gain, double phase_deg) {
+  const double phase = phase_deg * std::numbers::pi / 180;
+  return {gain * std::cos(phase), gain * std::sin(phase)};
+}
+
+/// Of the channels of a recording that are sensors of the vehicle.
+std::vector<ReadingDifference> DifferencesOf(const std::string& recording, const Vehicle& vehicle,
+                                             const std::vector<ComparedChannel>& channels) {
+  std::vector<ReadingDifference> differences;
+  for (const ComparedChannel& channel : channels) {
+    const auto sensor = std::find_if(vehicle.sensors.begin(), vehicle.sensors.end(),
+                                     [&](const Sensor& candidate) { return candidate.name == channel.name; });
+    if (channel.recording != recording || sensor == vehicle.sensors.end() || channel.phase_measured_deg.empty())
+      continue;
+    ReadingDifference one{static_cast<std::size_t>(sensor - vehicle.sensors.begin()), {}};
+    for (std::size_t i = 0; i < channel.frequency_Hz.size(); ++i)
+      one.difference.push_back(Phasor(channel.gain_measured[i], channel.phase_measured_deg[i]) -
+                               Phasor(channel.gain_modelled[i], channel.phase_modelled_deg[i]));
+    differences.push_back(std::move(one));
+  }
+  return differences;
+}
+
 class ResponseData : public ExperimentData {
  public:
   explicit ResponseData(const RunFolder& run)
@@ -124,6 +149,7 @@ class ResponseData : public ExperimentData {
         const double share = NumberAt(posts, post.name);
         motion.excitation.shape.push_back(std::isfinite(share) ? share : 0);
       }
+      motion.differences = DifferencesOf(name, vehicle, channels_);
       motions.steady.push_back(std::move(motion));
     }
   }
