@@ -52,12 +52,18 @@ std::string HeadHtml(const std::string& text) {
   return html;
 }
 
+/// Without words it heads nothing.
+std::string HeadCell(const std::string& name, const std::string& html) {
+  if (html.empty()) return Element("td", name, "");
+  return "<th scope=\"col\"" + (name.empty() ? "" : " class=\"" + Escaped(name) + '"') + '>' + html + "</th>";
+}
+
 }  // namespace
 
 std::string Table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows) {
   std::string html = "<div class=\"table\"><table><thead><tr>";
   for (std::size_t i = 0; i < head.size(); ++i)
-    html += Element("th", rows.empty() ? "" : rows.front()[i].name, HeadHtml(head[i]));
+    html += HeadCell(rows.empty() ? "" : rows.front()[i].name, HeadHtml(head[i]));
   html += "</tr></thead><tbody>\n";
   for (const std::vector<Cell>& row : rows) {
     html += "<tr>";

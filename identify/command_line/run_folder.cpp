@@ -18,7 +18,7 @@ constexpr const char* kResult = "result.json";
 
 /// What is read as text.
 std::vector<std::string> OtherFiles() {
-  std::vector<std::string> names = {"study.yaml"};
+  std::vector<std::string> names = {"study.yaml", "vehicle.urdf"};
   for (const ExperimentReport* experiment : AllExperimentReports())
     for (const std::string& name : experiment->Files()) names.push_back(name);
   return names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/report/packed_values.h"
 #include "analysis/report/picture_number.h"
 #include "identify/experiments/findings.h"
 
@@ -27,13 +28,23 @@ TimeTable TableOf(const CsvTable& table, std::size_t names, std::size_t first, s
   return history;
 }
 
+std::vector<double> Of(const TableColumn& column, const std::set<std::size_t>& rows) {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const std::size_t row : rows) values.push_back(column.values[row]);
+  return values;
+}
+
 OrderedJson RecordingJson(const TimeTable& history, std::size_t most) {
   std::vector<const TableColumn*> columns;
   for (const TableColumn& column : history.columns) columns.push_back(&column);
   const std::set<std::size_t> rows = RowsToShow(columns, history.rows, most);
   OrderedJson list = OrderedJson::array();
-  for (const TableColumn& column : history.columns)
-    list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", ShownValues(column, rows)}});
+  for (const TableColumn& column : history.columns) {
+    OrderedJson json = {{"name", column.name}, {"unit", column.unit}};
+    json.update(PackedValues(Of(column, rows)));
+    list.push_back(std::move(json));
+  }
   return {{"recording", history.recording},
           {"columns", std::move(list)},
           {"rows", history.rows},

@@ -39,11 +39,11 @@ std::set<std::size_t> RowsToShow(const std::vector<const TableColumn*>& columns,
 /// Values of these rows.
 nlohmann::ordered_json ShownValues(const TableColumn& column, const std::set<std::size_t>& rows);
 
-/// So that each recording takes some megabytes at the most, and a zoom still shows each cycle.
-inline constexpr std::size_t kMostHistoryRows = 50000;
+/// All of what rigs record in minutes: some twenty channels of it take 10 MB of a page.
+inline constexpr std::size_t kMostHistoryRows = 300000;
 
-/// The recordings as [{"recording", "columns": [{"name", "unit", "values"}], "rows", "shown_rows"}], up to `most` rows
-/// of each. Throws FaultyInput.
+/// The recordings as [{"recording", "columns": [{"name", "unit", of PackedValues()}], "rows", "shown_rows"}], up to
+/// `most` rows of each. Throws FaultyInput.
 nlohmann::ordered_json HistoriesJson(const std::string& text, const std::string& file,
                                      CsvHeader header = CsvHeader::kNamesAndUnits, std::size_t most = kMostHistoryRows);
 

@@ -62,8 +62,8 @@ std::string Errors(const std::vector<ComparedRun>& runs, const std::string& join
   if (!predicted.empty()) html += "<h3>Validation</h3>\n" + predicted;
   return html +
          "<p class=\"note\">Channels that differ by their place only, such as front and rear or the four corners, are "
-         "one "
-         "group, of which the mean is shown; the least of each row is bold.</p>\n";
+         "one group, of which the mean is shown.</p>\n" +
+         html::Drawn("compared_errors");
 }
 
 /// Of dampers fitted to the same recordings.
@@ -83,8 +83,8 @@ std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> fold
       Header(runs) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", VerdictHtml(runs, RankingOf(runs)) + RunTableHtml(runs)) +
       html::Section("errors", "Errors by group of channels", Errors(runs, JoinedName(experiments))) +
-      html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) + Curves(curves) + "</main>\n" +
-      PageFooter(Sources(runs));
+      html::Section("parameters", "Parameters", html::Drawn("compared_parameters") + ParametersSideBySideHtml(runs)) +
+      Curves(curves) + "</main>\n" + PageFooter(Sources(runs));
   const OrderedJson data = {{"comparison", ComparisonJson(runs, curves)}};
   return ReportDocument("Comparison of fits \u2013 fourpost report", body, CompactJson(data));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
@@ -126,25 +127,19 @@ std::string RunTableHtml(const std::vector<ComparedRun>& runs) {
 
 std::string ErrorTableHtml(const std::vector<ComparedRun>& runs, std::map<ChannelGroup, double> ComparedRun::*errors,
                            const std::string& joined) {
-  std::map<ChannelGroup, int> groups;
+  std::set<ChannelGroup> groups;
   for (const ComparedRun& run : runs)
-    for (const auto& [group, error] : run.*errors) ++groups[group];
+    for (const auto& [group, error] : run.*errors) groups.insert(group);
   const bool has_recordings =
-      std::any_of(groups.begin(), groups.end(), [](const auto& entry) { return !entry.first.first.empty(); });
+      std::any_of(groups.begin(), groups.end(), [](const ChannelGroup& group) { return !group.first.empty(); });
   Rows rows;
-  for (const auto& [group, count] : groups) {
+  for (const ChannelGroup& group : groups) {
     std::vector<Cell> row;
     if (has_recordings) row.push_back(TextCell(group.first.empty() ? joined : group.first));
     row.push_back(NameCell(group.second));
-    double least = HUGE_VAL;
-    for (const ComparedRun& run : runs)
-      if ((run.*errors).contains(group)) least = std::min(least, (run.*errors).at(group));
     for (const ComparedRun& run : runs) {
       const auto found = (run.*errors).find(group);
-      const std::string text = found == (run.*errors).end() ? "" : ShownNumber(found->second, 3);
-      row.push_back(found != (run.*errors).end() && count > 1 && found->second == least
-                        ? Cell{html::Element("b", "", text), "n"}
-                        : NumberCell(text));
+      row.push_back(NumberCell(found == (run.*errors).end() ? "" : ShownNumber(found->second, 3)));
     }
     rows.push_back(std::move(row));
   }

@@ -68,7 +68,10 @@ OrderedJson LiveJson(const RunContents& run, const std::vector<ReportedParameter
     if (!is_fitted[i]) add(OtherJson(parameters[i]), i);
   if (list.empty()) return nullptr;
   try {
-    return {{"vehicle", Base64(BytesOf(Condense(*run.vehicle).data()))}, {"parameters", std::move(list)}};
+    const auto file = run.files.find("vehicle.urdf");
+    return {{"vehicle", Base64(BytesOf(Condense(*run.vehicle).data()))},
+            {"file", file == run.files.end() ? OrderedJson() : OrderedJson(file->second)},
+            {"parameters", std::move(list)}};
   } catch (const FaultyInput&) {
     return nullptr;  // The page says at the vehicle's picture why.
   }

@@ -8,14 +8,15 @@
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
 #include "analysis/report/shown_number.h"
-#include "identify/report/audit_section.h"
 #include "identify/live/live_program.h"
+#include "identify/report/audit_section.h"
 #include "identify/report/live_json.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/report_summary.h"
 #include "identify/report/report_tables.h"
 #include "identify/report/run_result.h"
 #include "identify/report/scene_json.h"
+#include "identify/study_file/study_about.h"
 
 namespace fourpost {
 namespace {
@@ -53,20 +54,50 @@ OrderedJson SceneOf(const Parts& parts, const RunContents& run, std::string& fau
   return nullptr;
 }
 
-std::string Header(const Json& result) {
-  const std::string vehicle = html::Escaped(TextAt(result, "vehicle"));
-  std::string facts;
-  const auto add = [&](const std::string& html) { facts += (facts.empty() ? "" : "<span>\u00b7</span>") + html; };
-  if (const std::string study = TextAt(result, "study"); !study.empty()) add(html::Escaped(study));
+StudyAbout AboutOf(const RunContents& run) {
+  const auto study = run.files.find("study.yaml");
+  return study == run.files.end() ? StudyAbout() : StudyAboutOf(study->second);
+}
+
+/// The car's name where the study has one, else its file's.
+std::string TitleOf(const Json& result, const StudyAbout& about) {
+  return about.car.empty() ? TextAt(result, "vehicle") : about.car;
+}
+
+/// Words with dots between them.
+class Facts {
+ public:
+  void Add(const std::string& html) {
+    if (!html.empty()) html_ += (html_.empty() ? "" : "<span>\u00b7</span>") + html;
+  }
+  std::string Html() const { return html_.empty() ? "" : "<p class=\"facts\">" + html_ + "</p>\n"; }
+
+ private:
+  std::string html_;
+};
+
+/// What was tested, where, when and by whom.
+std::string Identity(const Json& result, const StudyAbout& about) {
+  Facts facts;
+  if (!about.car.empty()) facts.Add(html::Escaped(TextAt(result, "vehicle")));
+  facts.Add(html::Escaped(about.rig));
+  facts.Add(html::Escaped(about.date));
+  facts.Add(html::Escaped(about.operated_by));
+  return facts.Html();
+}
+
+std::string Header(const Json& result, const StudyAbout& about) {
+  Facts facts;
+  facts.Add(html::Escaped(TextAt(result, "study")));
   const std::vector<Json> band = ListAt(result, "band_Hz");
   if (band.size() == 2 && band[0].is_number() && band[1].is_number() && band[1] > 0)
-    add(ShownShort(band[0], 3) + "\u2013" + ShownShort(band[1], 3) + " Hz");
-  add(ShownDecimals(NumberAt(result, "residuals"), 0) + " residuals");
-  add(ShownDecimals(NumberAt(result.value("evaluations", Json()), "paid"), 0) + " evaluations");
+    facts.Add(ShownShort(band[0], 3) + "\u2013" + ShownShort(band[1], 3) + " Hz");
+  facts.Add(ShownDecimals(NumberAt(result, "residuals"), 0) + " residuals");
+  facts.Add(ShownDecimals(NumberAt(result.value("evaluations", Json()), "paid"), 0) + " evaluations");
   if (const std::string version = TextAt(result.value("versions", Json()), "fourpost"); !version.empty())
-    add("fourpost " + html::Escaped(version));
-  return "<header>\n<h1>" + vehicle + "</h1>\n<p class=\"facts\">" + facts +
-         "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
+    facts.Add("fourpost " + html::Escaped(version));
+  return "<header>\n<h1>" + html::Escaped(TitleOf(result, about)) + "</h1>\n" + Identity(result, about) + facts.Html() +
+         "<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
 }
 
 /// Two blocks, side by side where there is room.
@@ -179,8 +210,9 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   std::string scene_fault;
   const OrderedJson scene = SceneOf(parts, run, scene_fault);
 
+  const StudyAbout about = AboutOf(run);
   const std::string body =
-      Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
+      Header(result, about) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
       html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
       Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
@@ -191,8 +223,8 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   const OrderedJson live = is_live ? LiveJson(run, parameters) : OrderedJson();
   data["live"] = live;
   const std::string text = CompactJson(data);
-  return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text,
-                        live.is_null() ? "" : std::string(kLiveProgram));
+  return ReportDocument(TitleOf(result, about) + " \u2013 fourpost report", body, text,
+                        {.live = live.is_null() ? "" : kLiveProgram, .draws_vehicle = !scene.is_null()});
 }
 
 }  // namespace fourpost

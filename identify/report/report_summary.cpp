@@ -419,8 +419,8 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   for (const std::string& advice : WhatNext(result, parameters, remarks, unseen))
     next += html::Element("li", "", advice);
   const std::string tiles = TilesHtml({verdict.name, MisfitOf(result), judged, unseen, parameters});
-  return tiles + html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
-         Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
+  return tiles + html::Drawn("overview") + html::Element("p", "verdict " + verdict.name, verdict.html) +
+         "\n<dl class=\"summary\">\n" + Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
          Item("What does not fit", misses) +
          Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result, MisfitOf(result) > kMisses))) +
          Item("How it grew", HowItGrew(result)) +

@@ -54,5 +54,7 @@ export async function open(browser, file, { width = 1280, height = 900, dark = f
     if (!request.url().startsWith(url) && !request.url().startsWith('data:')) page.faults.push(`asked for ${request.url()}`);
   });
   await page.goto(url);
+  // Numbers are unpacked before they are drawn.
+  if (javaScript) await page.waitForSelector('html[data-ready]', { state: 'attached' });
   return page;
 }

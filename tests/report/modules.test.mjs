@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { deflateSync } from 'node:zlib';
 import { root } from './browser.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', name)).href);
@@ -106,5 +107,221 @@ describe('the playhead', () => {
     movePlayhead('sweep', 1.5);
     movePlayhead(null, 0);
     assert.deepEqual(heard, [{ recording: 'sweep', time: 1.5 }, { recording: null, time: 0 }]);
+  });
+});
+
+const { valuesOf } = await source('packed_columns.js');
+const { compareCells, numberOf } = await source('tables.js');
+const { effectiveNumber, ratioOf, squaresOf } = await source('paired.js');
+const { covarianceOf, resolved } = await source('live/resolved.js');
+const { residualsOf } = await source('live/misfit.js');
+const { withValues } = await source('live/vehicle_file.js');
+const { bodily, likeness, named } = await source('live/whatif.js');
+const { aligned, followed } = await source('viewer/motion.js');
+const { peaksOf } = await source('bench.js');
+const { errorOf } = await source('damper_map.js');
+const { isNearNode, modeBands } = await source('residuals.js');
+
+describe('packed numbers', () => {
+  /** As PackedValues() of the C++ writes them. */
+  const packed = (steps, scale) => {
+    const bytes = Buffer.alloc(2 * steps.length);
+    steps.forEach((step, i) => {
+      const difference = (step - (steps[i - 1] ?? 0)) & 0xffff;
+      bytes[i] = difference & 0xff;
+      bytes[steps.length + i] = difference >> 8;
+    });
+    return { rows: steps.length, scale, packed: deflateSync(bytes).toString('base64') };
+  };
+
+  test('are what was packed, over the whole range', async () => {
+    assert.deepEqual([...(await valuesOf(packed([0, 32767, -32767, 5, -1], 0.5)))], [0, 16383.5, -16383.5, 2.5, -0.5]);
+    assert.deepEqual(await valuesOf(packed([1, -32768, 3], 2)), [2, null, 6]);
+  });
+
+  test('are even steps where they have no others', async () => {
+    assert.deepEqual([...(await valuesOf({ rows: 3, first: 1, step: 0.25 }))], [1, 1.25, 1.5]);
+    assert.deepEqual(await valuesOf({ values: [1, null] }), [1, null]);
+  });
+});
+
+describe('tables', () => {
+  test('are sorted by the numbers that cells begin with', () => {
+    assert.equal(numberOf('\u22121\u2009234.5'), -1234.5);
+    assert.equal(numberOf('1.5\u00b710\u207b\u2077'), 1.5e-7);
+    assert.equal(numberOf('\u00b1 3.4'), 3.4);
+    assert.equal(numberOf('k_front'), null);
+    const sorted = (up, ...cells) => cells.sort((a, b) => compareCells(a, b, up));
+    assert.deepEqual(sorted(true, '10', '', '9.5 %', '\u22122'), ['\u22122', '9.5 %', '10', '']);
+    assert.deepEqual(sorted(false, '10', '', '9.5 %'), ['10', '9.5 %', '']);
+    assert.deepEqual(sorted(true, 'b', 'a'), ['a', 'b']);
+  });
+});
+
+describe('errors in pairs', () => {
+  test('are those of phasors', () => {
+    // Twice as large; turned by 90 degrees; missing.
+    assert.deepEqual(squaresOf({ gain_measured: [1, 1, 1], phase_measured: [0, 0, null] }, { gain: [2, 1, 1], phase: [0, 90, 0] }).map((value) => value && Math.round(1e9 * value) / 1e9), [1, 2, null]);
+  });
+
+  test('count less where each resembles the one before', () => {
+    const noise = Array.from({ length: 1000 }, (_, i) => Math.sin(12.9898 * i * i));
+    const slow = Array.from({ length: 1000 }, (_, i) => Math.sin(i / 50));
+    assert.ok(effectiveNumber(noise) > 700, `${effectiveNumber(noise)}`);
+    assert.ok(effectiveNumber(slow) < 20, `${effectiveNumber(slow)}`);
+  });
+
+  test('of a run and one that is half as far off everywhere differ, those of two of one kind do not', () => {
+    const noise = (shift) => Array.from({ length: 60 }, (_, i) => 1 + 0.9 * Math.sin(12.9898 * (i + shift) ** 2));
+    const a = noise(0);
+    const half = a.map((value) => value / 4);
+    assert.deepEqual(ratioOf(half, a), { ratio: 0.5, lower: 0.5, upper: 0.5 });
+    const { lower, upper } = ratioOf(noise(100), a);
+    assert.ok(lower < 1 && upper > 1, `${lower} ${upper}`);
+    assert.equal(ratioOf([1, 2], [1, 2]), null, 'two frequencies say nothing');
+  });
+});
+
+describe('parameters that follow the data', () => {
+  const parameters = [{ name: 'k', value: 10, lower: 0, upper: 100 }, { name: 'c', value: 2, lower: 1, upper: 2.5 }, { name: 'm', value: 5, lower: 1, upper: 9 }];
+  const result = { intervals: { covariance: { parameters: ['k', 'c'], noise: [[4], [2, 9]] } } };
+
+  test('are the conditional mean', () => {
+    const covariance = covarianceOf(result, parameters);
+    assert.deepEqual(covariance, [[4, 2, 0], [2, 9, 0], [0, 0, 0]]);
+    // 10 % up; the other by 2 / 4 of that, relative to its own value; the third is not known to the data.
+    assert.deepEqual(resolved(covariance, parameters, [11, 2, 6], [0]).map((value) => Math.round(1e9 * value) / 1e9), [11, 2.1, 6]);
+    // Within its bounds.
+    assert.equal(resolved(covariance, parameters, [20, 2, 5], [0])[1], 2.5);
+    assert.equal(covarianceOf({}, parameters), null);
+  });
+});
+
+describe('a vehicle file', () => {
+  test('is saved with other values, and all else as it was', () => {
+    const file = '<!-- k --><fp:parameter  name="k" value="10 kN/m" lower="1 kN/m"/>\n<fp:parameter lower="1" name=\'c\' value=\'2\'/><link name="k"/>';
+    assert.equal(withValues(file, [{ name: 'k', unit: 'kN/m', value: 12.5 }]), file.replace('10 kN/m', '12.5 kN/m'));
+    assert.equal(withValues(file, [{ name: 'c', unit: '1', value: 3 }]), file.replace("'2'", "'3'"));
+  });
+});
+
+describe('residuals', () => {
+  const channel = { unit: 'm', frequency_Hz: [1, 2, 4, 8], in_band: [true, true, true, true], gain_measured: [1, 2, 0.01, 1], phase_measured: [0, 0, 0, 0], loudest: [1, 2, 1, 1] };
+
+  test('are null where nothing weighs them', () => {
+    const none = { gain_dB: 0, phase_rad: 0, mean_m: 0, floor: 0 };
+    const answer = { gain: [1, 1, 1, null], phase: [0, 0, 0, 0] };
+    assert.deepEqual(residualsOf(channel, answer, none, channel.loudest).along, [null, null, null, null]);
+    const { along } = residualsOf(channel, answer, { ...none, floor: 0.5 }, channel.loudest);
+    assert.deepEqual(along, [0, -1, 1.98, null]);
+  });
+
+  test('know where a channel is next to a node', () => {
+    const band = [1, 8];
+    assert.equal(isNearNode(channel, { low: 3, high: 5, fitted: true }, band), true);
+    assert.equal(isNearNode(channel, { low: 1, high: 3, fitted: true }, band), false);
+  });
+
+  test('are parted by modes half way between them', () => {
+    const modes = [{ name: 'hop', frequency_Hz: 4 }, { name: 'heave', frequency_Hz: 1 }, { name: 'rest', frequency_Hz: 0 }];
+    const parts = modeBands(modes, [channel], [1, 8]);
+    assert.deepEqual(parts.map(({ name, fitted }) => [name, fitted]), [['heave', true], ['hop', true]]);
+    assert.ok(Math.abs(parts[1].low - 4 / Math.SQRT2) < 1e-9 && Math.abs(parts[1].high - 4 * Math.SQRT2) < 1e-9);
+  });
+});
+
+describe('modes of another car', () => {
+  test('are drawn in the phase and size of those that they come from', () => {
+    // (3 + 4i) times the other.
+    const like = [1, 0, 0, 2];
+    const shape = [3, 4, -8, 6];
+    aligned(shape, like).forEach((value, k) => assert.ok(Math.abs(value - like[k]) < 1e-12));
+  });
+
+  test('take the place of the fitted ones, and of nothing else', () => {
+    const mode = { name: 'heave', shape: [1, 0], frequency_Hz: 1 };
+    const chosen = { kind: 'mode', mode };
+    const now = followed(chosen, { modes: [{ of: mode, name: '', shape: [0, 2], frequency_Hz: 2 }] });
+    assert.deepEqual([now.mode.name, now.mode.frequency_Hz, now.mode.shape], ['heave', 2, [1, 0]]);
+    assert.equal(followed(chosen, { modes: [] }), chosen);
+    assert.equal(followed(chosen, null), chosen);
+  });
+
+  test('are named by what has mass, not by coordinates', () => {
+    // Two coordinates: the body up, and a wheel of a hundredth of its mass beside it.
+    const links = [{ mass: 100, com: [0, 0, 0], turn: [0, 0, 0, 1], motion: [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0] }, { mass: 1, com: [0, 0, 0], turn: [0, 0, 0, 1], motion: [0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0] }];
+    const fit = [{ name: 'heave', shape: [1, 0, 1, 0] }, { name: 'hop', shape: [0, 0, 1, 0] }];
+    // The wheel moves thrice as far as the body: still the body's mode.
+    const modes = [{ shape: [1, 0, 3, 0] }, { shape: [-0.02, 0, 1, 0] }];
+    const as = (shape) => bodily({ links }, shape);
+    assert.deepEqual(named(modes, fit, as).map(({ name }) => name), ['heave', 'hop']);
+    assert.ok(likeness(as(modes[0].shape), as(fit[0].shape)) > 0.9);
+    assert.ok(likeness(modes[0].shape, fit[1].shape) > likeness(modes[0].shape, fit[0].shape), 'coordinates alone would say hop');
+  });
+});
+
+describe('a damper', () => {
+  test('has a peak of each sign in a cycle', () => {
+    const t = Array.from({ length: 401 }, (_, i) => (4 * Math.PI * i) / 400 - 1);
+    const [x, v] = [t.map(Math.sin), t.map(Math.cos)];
+    const force = v.map((speed) => (speed > 0 ? 3 * speed : speed));
+    const { x: at, y } = peaksOf(x, v, force);
+    // Whole cycles alone: from the first time it passes its middle to the last.
+    assert.deepEqual(y.map((value) => Math.round(100 * value) / 100), [-1, 3]);
+    at.forEach((speed, i) => assert.ok(Math.abs(Math.abs(speed) - 1) < 1e-3, `${i}`));
+  });
+
+  test('is off by what its phasor is off by', () => {
+    // Of a pure spring of 3 kN/m, a dashpot of 4 kN/m: |4i - 3| over 3.
+    const frequency = 1 / (2 * Math.PI);
+    assert.ok(Math.abs(errorOf({ frequency, damping: [0, 4000], stiffness: [3, 4] }) - 5 / 3) < 1e-9);
+  });
+});
+
+const { fft, spectraOf } = await source('spectra.js');
+const { dataOf, sharedWith } = await source('dropped.js');
+
+describe('spectra', () => {
+  test('are of a transform that agrees with its definition', () => {
+    const values = Array.from({ length: 16 }, (_, i) => [Math.sin(i * i), Math.cos(3 * i * i)]);
+    const [re, im] = [0, 1].map((part) => Float64Array.from(values, (value) => value[part]));
+    fft(re, im);
+    for (let k = 0; k < 16; ++k) {
+      const [x, y] = values.reduce(([a, b], [c, d], i) => {
+        const angle = (-2 * Math.PI * i * k) / 16;
+        return [a + c * Math.cos(angle) - d * Math.sin(angle), b + c * Math.sin(angle) + d * Math.cos(angle)];
+      }, [0, 0]);
+      assert.ok(Math.abs(re[k] - x) < 1e-12 && Math.abs(im[k] - y) < 1e-12, `${k}`);
+    }
+  });
+
+  test('hold the power of a sine, and are coherent where one signal is the other filtered', () => {
+    const rate = 200;
+    const noise = Array.from({ length: 20000 }, (_, i) => Math.sin(12.9898 * i * i));
+    const sine = noise.map((_, i) => 3 * Math.sin((2 * Math.PI * 10 * i) / rate));
+    const { frequency, first, coherence, windows } = spectraOf(sine.map((value, i) => value + 0.01 * noise[i]), noise, rate);
+    // 3^2 / 2 in the peak; a Hann window leaks next to nothing beyond it.
+    const power = first.reduce((sum, density) => sum + density * (frequency[1] - frequency[0]), 0);
+    assert.ok(Math.abs(power / 4.5 - 1) < 0.01, `${power}`);
+    assert.ok(windows >= 8);
+    const peak = first.indexOf(Math.max(...first));
+    assert.ok(Math.abs(frequency[peak] - 10) < 0.2);
+    assert.ok(coherence[peak] < 0.5, `${coherence[peak]}`);
+    const late = spectraOf(noise.slice(1), noise.slice(0, -1), rate);
+    assert.ok(Math.min(...late.coherence.slice(5, -5)) > 0.99);
+    assert.equal(spectraOf([1, 2], [1, 2], rate), null);
+  });
+});
+
+describe('another report', () => {
+  test('is compared where it was measured alike', () => {
+    const channel = { recording: 'bounce', name: 'a', frequency_Hz: [1, 2], gain_measured: [1, null] };
+    const page = (responses) => `<p></p><script type="application/json" id="data">${JSON.stringify({ responses })}</script>`;
+    const other = dataOf(page([{ ...channel, gain_modelled: [2, 3] }]));
+    assert.equal(sharedWith([channel], other.responses).get(channel).gain_modelled[1], 3);
+    assert.equal(sharedWith([channel], [{ ...channel, gain_measured: [1.1, null] }]).size, 0);
+    assert.equal(sharedWith([channel], [{ ...channel, recording: 'pitch' }]).size, 0);
+    assert.throws(() => dataOf('<html>'), /no page of fourpost/);
+    assert.throws(() => dataOf(page([])), /no frequency responses/);
   });
 });

@@ -20,13 +20,11 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFittedFile = "history.csv";
 constexpr const char* kUnseenFile = "validation.csv";
 constexpr const char* kMotionFile = "motion.csv";
-/// Of a recording that was not fitted: its table has all channels of the rig, and is for a look.
-constexpr std::size_t kMostRowsUnseen = 20000;
 constexpr std::string_view kMeasuredEnding = "_measured";
 
-Json DrawnOf(const RunFolder& run, const char* file, std::size_t most) {
+Json DrawnOf(const RunFolder& run, const char* file) {
   const std::string* text = run.Find(file);
-  return text == nullptr ? Json::array() : HistoriesJson(*text, run.FileNamed(file), CsvHeader::kNamesAndUnits, most);
+  return text == nullptr ? Json::array() : HistoriesJson(*text, run.FileNamed(file));
 }
 
 /// Those of a cost that weighs by the errors of each output have no deviations.
@@ -35,9 +33,7 @@ bool IsCompromise(const nlohmann::json& result) { return TextAt(result, "history
 class HistoryData : public ExperimentData {
  public:
   explicit HistoryData(const RunFolder& run)
-      : run_(run),
-        fitted_(DrawnOf(run, kFittedFile, kMostHistoryRows)),
-        unseen_(DrawnOf(run, kUnseenFile, kMostRowsUnseen)) {}
+      : run_(run), fitted_(DrawnOf(run, kFittedFile)), unseen_(DrawnOf(run, kUnseenFile)) {}
 
   bool empty() const override { return fitted_.empty() && unseen_.empty(); }
   Json Drawn() const override { return {{"histories", fitted_}, {"validation", unseen_}}; }

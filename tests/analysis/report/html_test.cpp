@@ -8,6 +8,7 @@
 namespace fourpost {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -34,7 +35,7 @@ TEST(Html, APictureEscapesAllThatCouldEndIt) {
 
 TEST(Html, TableHasAClassPerColumnInItsHead) {
   const std::string table = html::Table({"name", "mass"}, {{html::TextCell("body"), html::NumberCell("7")}});
-  EXPECT_THAT(table, HasSubstr("<th>name</th><th class=\"n\">mass</th>"));
+  EXPECT_THAT(table, HasSubstr("<th scope=\"col\">name</th><th scope=\"col\" class=\"n\">mass</th>"));
   EXPECT_THAT(table, HasSubstr("<td>body</td><td class=\"n\">7</td>"));
 }
 
@@ -58,12 +59,20 @@ TEST(ReportDocument, HoldsAllItNeedsAndFetchesNothing) {
   for (std::size_t at = page.find("</script"); at != std::string::npos; at = page.find("</script", at + 1)) ++ends;
   EXPECT_EQ(ends, 2u);
   // Fixed parts of a page are bounded.
-  EXPECT_LT(page.size(), 702'000u);
+  EXPECT_LT(page.size(), 250'000u);
+}
+
+TEST(ReportDocument, NamesTheScriptThatDrawsAVehicleOnlyWhereOneIsDrawn) {
+  EXPECT_THAT(ReportDocument("car", "", "{}"), Not(HasSubstr("id=\"stage\"")));
+  const std::string page = ReportDocument("car", "", "{}", {.draws_vehicle = true});
+  EXPECT_THAT(page, HasSubstr("id=\"stage\">H4sI"));
+  EXPECT_THAT(page, ContainsRegex("script-src 'sha256-[^']*' 'sha256-[^']*';"));
+  EXPECT_LT(page.size(), 420'000u);
 }
 
 TEST(ReportDocument, AllowsWebAssemblyOnlyWhereItHasSome) {
   EXPECT_THAT(ReportDocument("car", "", "{}"), Not(HasSubstr("wasm")));
-  const std::string page = ReportDocument("car", "", "{}", "H4sI");
+  const std::string page = ReportDocument("car", "", "{}", {.live = "H4sI"});
   EXPECT_THAT(page, HasSubstr("' 'wasm-unsafe-eval'; style-src"));
   EXPECT_THAT(page, HasSubstr("id=\"program\">H4sI</script>"));
 }

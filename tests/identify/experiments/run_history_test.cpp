@@ -18,8 +18,8 @@ TEST(HistoriesJson, PartsRecordingsAndLeavesOutWhatTheyHaveNot) {
       "recording,time,a_measured,s_measured\n,s,m/s^2,m\nslow,0,1,\nslow,0.5,2,\nfast,0,,3\n", "history.csv");
   ASSERT_EQ(histories.size(), 2u);
   EXPECT_EQ(histories[0]["recording"], "slow");
-  EXPECT_EQ(histories[0]["columns"], Json::parse(R"([{"name": "time", "unit": "s", "values": [0, 0.5]},
-                                                     {"name": "a_measured", "unit": "m/s^2", "values": [1, 2]}])"));
+  EXPECT_EQ(histories[0]["columns"], Json::parse(R"([{"name": "time", "unit": "s", "rows": 2, "first": 0, "step": 0.5},
+                              {"name": "a_measured", "unit": "m/s^2", "rows": 2, "first": 1, "step": 1}])"));
   EXPECT_EQ(histories[1]["columns"][1]["name"], "s_measured");
   EXPECT_EQ(histories[1]["rows"], 1);
 }
@@ -29,13 +29,16 @@ TEST(HistoriesJson, ThinsLongRecordingsAndKeepsTheirExtremes) {
   constexpr int kRows = 200000;
   for (int k = 0; k < kRows; ++k)
     text += "sweep," + std::to_string(k) + "," + (k == 54321 ? "7" : k == 54322 ? "-7" : "0") + "\n";
-  const Json sweep = HistoriesJson(text, "history.csv")[0];
+  const Json sweep = HistoriesJson(text, "history.csv", CsvHeader::kNamesAndUnits, 50000)[0];
   EXPECT_EQ(sweep["rows"], kRows);
   EXPECT_LE(sweep["shown_rows"], 50000);
-  EXPECT_EQ(sweep["columns"][0]["values"].size(), sweep["shown_rows"].get<std::size_t>());
-  const auto values = sweep["columns"][1]["values"].get<std::vector<double>>();
-  EXPECT_EQ(*std::max_element(values.begin(), values.end()), 7);
-  EXPECT_EQ(*std::min_element(values.begin(), values.end()), -7);
+  EXPECT_EQ(sweep["columns"][0]["rows"], sweep["shown_rows"]);
+  const std::vector<TimeTable> tables = ReadHistories(text, "history.csv");
+  EXPECT_THAT(RowsToShow({&tables[0].columns[0], &tables[0].columns[1]}, kRows, 50000),
+              testing::IsSupersetOf({54321u, 54322u}));
+  // 32767 steps are the largest, of either sign.
+  EXPECT_DOUBLE_EQ(sweep["columns"][1]["scale"].get<double>() * 32767, 7);
+  EXPECT_EQ(HistoriesJson(text, "history.csv")[0]["shown_rows"], kRows);
 }
 
 TEST(RowsToShow, AreAsManyAsAreAskedForAtTheMost) {

@@ -1,5 +1,6 @@
 import uPlot from 'uplot';
-import { colours, onTheme } from './theme.js';
+import { colours, isPrinting, onTheme } from './theme.js';
+import { vectorOf } from './vector.js';
 import { decimalsOf, fixed, logTicks, multiples, niceStep, shown } from './number.js';
 
 const font = '11px system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif';
@@ -40,7 +41,7 @@ function thinned(u, splits, scale, room) {
 }
 
 /** A linear axis with a grid at the first of `steps` that leaves room, or at 1, 2, 5 times a power of ten. */
-export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth, grid = true, colour } = {}) {
+export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth, grid = true, colour, room: least = 30 } = {}) {
   return axis({
     scale,
     side,
@@ -50,7 +51,7 @@ export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth
     splits: (u) => {
       const { min, max } = u.scales[scale];
       const room = side % 2 ? u.height : u.width;
-      const count = Math.max(2, room / (side % 2 ? 30 : 80));
+      const count = Math.max(2, room / (side % 2 ? least : 80));
       const step = steps.find((candidate) => (max - min) / candidate <= count) ?? niceStep(max - min, count);
       return multiples(min, max, step);
     },
@@ -83,6 +84,25 @@ export function outside(low, high) {
         u.ctx.fillStyle = colours().band;
         u.ctx.fillRect(left, top, Math.max(0, from - left), height);
         u.ctx.fillRect(to, top, Math.max(0, left + width - to), height);
+      },
+    },
+  };
+}
+
+/** A band from low to high over all of x, with a line in its middle. */
+export function band(low, high) {
+  return {
+    hooks: {
+      drawClear: (u) => {
+        const { left, width } = u.bbox;
+        const [top, bottom, middle] = [high, low, (low + high) / 2].map((value) => u.valToPos(value, 'y', true));
+        u.ctx.save();
+        u.ctx.fillStyle = colours().measured;
+        u.ctx.globalAlpha = 0.16;
+        u.ctx.fillRect(left, top, width, bottom - top);
+        u.ctx.globalAlpha = 0.6;
+        u.ctx.fillRect(left, middle - 0.5, width, 1);
+        u.ctx.restore();
       },
     },
   };
@@ -160,27 +180,104 @@ const mouseMove = (u, target, move) => (event) => {
   move(event);
 };
 
+/** Of each series that has a name what it is at a place of x. */
+function saidOf(u, i) {
+  return u.series
+    .slice(1)
+    .map(({ label, show }, k) => (show && label ? `${label} ${shown(u.data[k + 1][i], 4)}` : ''))
+    .filter((part) => part)
+    .join(', ');
+}
+
+/** Arrows lead the cursor over x, and what stands there is said. */
+function readByKeys(u, name) {
+  const { over } = u;
+  const last = u.data[0].length - 1;
+  const go = (i) => {
+    u.setCursor({ left: u.valToPos(u.data[0][i], 'x'), top: 0 });
+    over.setAttribute('aria-valuenow', u.data[0][i]);
+    over.setAttribute('aria-valuetext', `${shown(u.data[0][i], 4)}: ${saidOf(u, i)}`);
+  };
+  const [least, greatest] = [u.data[0][0] ?? 0, u.data[0][last] ?? 0];
+  for (const [key, value] of Object.entries({ role: 'slider', 'aria-label': name, 'aria-valuemin': least, 'aria-valuemax': greatest, 'aria-valuenow': least, 'aria-valuetext': 'arrow keys read the chart' })) over.setAttribute(key, value);
+  over.tabIndex = 0;
+  over.addEventListener('keydown', (event) => {
+    const { key, shiftKey } = event;
+    const step = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1 }[key];
+    const at = u.cursor.idx ?? -1;
+    const to = key === 'Home' ? 0 : key === 'End' ? last : step ? at + step * (shiftKey ? 10 : 1) : null;
+    if (to == null) return;
+    event.preventDefault();
+    go(Math.min(last, Math.max(0, to)));
+  });
+}
+
+/** A chart that has no cursor is a picture with a name. */
+function nameOnly({ over }, name) {
+  over.setAttribute('role', 'img');
+  over.setAttribute('aria-label', name);
+}
+
+const stateOf = new WeakMap();
+
+/** What is drawn in a place or below it. */
+export const chartsIn = (place) => [place, ...place.querySelectorAll('div')].map((one) => stateOf.get(one)).filter((state) => state);
+
 /**
  * A chart as wide as its place. `options`: of uPlot, made anew by a function, for axes take the page's colours.
- * Redrawn when the theme changes.
+ * `about`: {name, unit}, what its ordinate is. Redrawn when the theme changes; on paper drawn as vectors.
  */
-export function chart(place, height, options, data) {
+export function chart(place, height, options, data, about) {
   const width = () => Math.max(160, Math.floor(place.clientWidth));
-  const make = () => {
+  const make = (parent) => {
     const { cursor, ...rest } = options();
-    const all = { width: width(), height, legend: { show: false }, padding: [6, 10, 0, 0], cursor: { ...cursor, bind: { mousemove: mouseMove } }, ...rest };
-    return new uPlot(all, data, place);
+    const all = { width: width(), height: state.height, legend: { show: false }, padding: [6, 10, 0, 0], cursor: { ...cursor, bind: { mousemove: mouseMove } }, ...rest };
+    return new uPlot(all, state.plot?.data ?? data, parent);
   };
-  const state = { plot: make() };
+  const state = {
+    height,
+    about,
+    plot: null,
+    /** As SVG, as far zoomed as it is. */
+    vector: () => {
+      const { min, max } = state.plot.scales.x;
+      return vectorOf(() => {
+        const plot = make(document.createElement('div'));
+        if (plot.mode === 1 && min != null) plot.setScale('x', { min, max });
+        return plot;
+      });
+    },
+    resize: (to) => {
+      state.height = to;
+      state.plot.setSize({ width: width(), height: to });
+    },
+  };
+  const begin = () => {
+    state.plot = make(place);
+    if (about) (state.plot.mode === 1 && state.plot.cursor.show !== false ? readByKeys : nameOnly)(state.plot, about.name);
+  };
+  const onPaper = () => {
+    if (!isPrinting()) return;
+    const drawn = state.vector();
+    drawn.setAttribute('class', 'vector');
+    state.plot.root.style.display = 'none';
+    place.append(drawn);
+  };
+  begin();
+  onPaper();
+  stateOf.set(place, state);
   onTheme(() => {
+    if (!place.isConnected) return;
     const { min, max } = state.plot.scales.x;
     state.plot.destroy();
-    state.plot = make();
+    place.querySelector('.vector')?.remove();
+    begin();
     // As far zoomed as it was.
     if (state.plot.mode === 1) state.plot.setScale('x', { min, max });
+    onPaper();
   });
   new ResizeObserver(() => {
-    if (state.plot.width !== width()) state.plot.setSize({ width: width(), height });
+    if (state.plot.width !== width()) state.plot.setSize({ width: width(), height: state.height });
   }).observe(place);
   return state;
 }

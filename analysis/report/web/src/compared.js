@@ -4,7 +4,8 @@ import { choice, el } from './dom.js';
 import { card as historyCard, readable } from './histories.js';
 import { legend } from './legend.js';
 import { extent } from './number.js';
-import { card as responseCard, zeroDecibel } from './responses.js';
+import { card as responseCard } from './response_card.js';
+import { zeroDecibel } from './responses.js';
 import { runLine } from './theme.js';
 
 /** Of several runs what was measured is in the colour of the text. */
@@ -82,7 +83,7 @@ export function drawComparedHistories(place, { comparison: { runs, histories } }
     const states = cards.map(({ draw }) => draw());
     stretch = () => {
       const [min, max] = part === 'all' ? extent(channels[0].time) : entries[0].busiest;
-      for (const { plot } of states) plot.setScale('x', { min, max });
+      for (const { plot } of states.flat()) plot.setScale('x', { min, max });
     };
     stretch();
   });

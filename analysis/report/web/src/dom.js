@@ -2,7 +2,7 @@
 export function el(tag, properties = {}, ...children) {
   const element = document.createElement(tag);
   assign(element, properties);
-  element.append(...children.filter((child) => child != null));
+  element.append(...children.flat().filter((child) => child != null));
   return element;
 }
 
@@ -33,7 +33,7 @@ export function choice(label, options, chosen, change) {
     change(value);
   }
   buttons.forEach((button, i) => button.setAttribute('aria-pressed', options[i][0] === chosen));
-  return el('span', { class: 'group', role: 'group', 'aria-label': label }, ...buttons);
+  return Object.assign(el('span', { class: 'group', role: 'group', 'aria-label': label }, ...buttons), { select });
 }
 
 /** A box to tick with its label. */

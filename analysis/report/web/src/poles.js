@@ -1,4 +1,5 @@
 import { el, svg } from './dom.js';
+import { onAnswer } from './live/answers.js';
 import { extent, multiples, niceStep, shown } from './number.js';
 
 const margin = { left: 46, right: 18, top: 26, bottom: 40 };
@@ -58,6 +59,19 @@ function rays({ x, y, low, top }) {
   return list;
 }
 
+/** The pole of a mode of the sliders' car, and the way from that of the fit. */
+function movedPole({ name, pole: [re, im], of }, { x, y }) {
+  const hz = (value) => Math.abs(value) / (2 * Math.PI);
+  const at = [x(re), y(hz(im))];
+  const stroke = 'var(--whatif)';
+  const cross = svg('path', { d: `M${at[0] - 4} ${at[1] - 4}l8 8m0-8l-8 8`, 'stroke-width': 1.8, fill: 'none' }, svg('title', {}, `what if, ${name || 'new'}: ${shown(re, 4)} + ${shown(Math.abs(im), 4)}i 1/s`));
+  cross.style.stroke = stroke;
+  if (!of?.poles) return [cross];
+  const way = svg('line', { x1: x(of.poles[0]), y1: y(hz(of.poles[1])), x2: at[0], y2: at[1], 'stroke-width': 1 });
+  way.style.stroke = stroke;
+  return [way, cross];
+}
+
 /** The s plane, imaginary parts in Hz, with rays of constant damping ratio. */
 export function drawPoles(place, data) {
   const poles = polesOf(data.scene?.modes ?? []).filter((pole) => Number.isFinite(pole.re));
@@ -97,6 +111,9 @@ export function drawPoles(place, data) {
     picture.append(cross);
     if (pole.labelX) picture.append(text([pole.labelX, pole.labelY + 4], { 'text-anchor': pole.anchor }, pole.name));
   }
+  const moved = svg('g', { class: 'moved' });
+  picture.append(moved);
+  onAnswer((answer) => moved.replaceChildren(...(answer?.modes ?? []).filter(({ kind }) => kind !== 'free').flatMap((mode) => movedPole(mode, { x, y }))));
   picture.append(
     text([(margin.left + width) / 2, height - 6], { 'text-anchor': 'middle', class: 'dim' }, 'real part, 1/s'),
     text([margin.left - 7, margin.top - 14], { class: 'dim', 'text-anchor': 'end' }, 'Hz'),

@@ -1,16 +1,21 @@
+import { keepAddress } from './address.js';
 import { el } from './dom.js';
 import { startTheme } from './theme.js';
 import { drawBench } from './bench.js';
 import { drawAgreement, drawConvergence } from './convergence.js';
 import { drawComparedBench, drawComparedHistories, drawComparedResponses } from './compared.js';
 import { drawCorrelation } from './correlation.js';
+import { drawComparedErrors, drawComparedParameters } from './paired.js';
 import { drawHistories } from './histories.js';
+import { drawOverview } from './overview.js';
 import { drawPoles } from './poles.js';
 import { drawResiduals } from './residuals.js';
 import { drawResponses } from './responses.js';
+import { readTables } from './tables.js';
 import { drawViewer } from './viewer/viewer.js';
 
 const drawers = {
+  overview: drawOverview,
   viewer: drawViewer,
   responses: drawResponses,
   residuals: drawResiduals,
@@ -20,6 +25,8 @@ const drawers = {
   poles: drawPoles,
   convergence: drawConvergence,
   agreement: drawAgreement,
+  compared_errors: drawComparedErrors,
+  compared_parameters: drawComparedParameters,
   compared_responses: drawComparedResponses,
   compared_histories: drawComparedHistories,
   compared_bench: drawComparedBench,
@@ -30,11 +37,24 @@ function drawContents() {
   const links = new Map();
   for (const section of document.querySelectorAll('main > section'))
     links.set(section, el('a', { href: `#${section.id}` }, section.id[0].toUpperCase() + section.id.slice(1).replaceAll('-', ' ')));
-  document.getElementById('contents').append(el('div', {}, ...links.values()));
+  const list = el('div', {}, ...links.values());
+  const nav = document.getElementById('contents');
+  nav.setAttribute('aria-label', 'contents');
+  nav.append(list);
+  let marked = null;
   const mark = () => {
     let here = null;
     for (const section of links.keys()) if (!here || section.getBoundingClientRect().top < 120) here = section;
-    for (const [section, link] of links) link.classList.toggle('here', section === here);
+    if (here === marked) return;
+    marked = here;
+    for (const [section, link] of links) {
+      link.classList.toggle('here', section === here);
+      if (section === here) link.setAttribute('aria-current', 'true');
+      else link.removeAttribute('aria-current');
+    }
+    // In view where the list is wider than the screen.
+    const link = links.get(here);
+    if (link) list.scrollLeft = link.offsetLeft - list.offsetLeft - (list.clientWidth - link.offsetWidth) / 2;
   };
   addEventListener('scroll', mark, { passive: true });
   mark();
@@ -47,15 +67,22 @@ function removeEmpty() {
 }
 
 const data = JSON.parse(document.getElementById('data').textContent);
-startTheme();
-for (const place of document.querySelectorAll('[data-draw]')) {
+
+/** The rest of the report stays readable where a part cannot be drawn. */
+async function draw(place) {
   try {
-    drawers[place.dataset.draw](place, data);
+    await drawers[place.dataset.draw](place, data);
   } catch (error) {
-    // The rest of the report stays readable.
     console.error(error);
     place.append(el('p', { class: 'note' }, `This part could not be drawn: ${error.message}`));
   }
 }
-removeEmpty();
-drawContents();
+
+startTheme();
+Promise.all([...document.querySelectorAll('[data-draw]')].map(draw)).then(() => {
+  removeEmpty();
+  readTables();
+  drawContents();
+  keepAddress();
+  document.documentElement.dataset.ready = '';
+});

@@ -1,5 +1,8 @@
 import { choice, el } from './dom.js';
+import { focus } from './focus.js';
+import { residualsOf } from './live/misfit.js';
 import { extent, fixed, listOf, shown } from './number.js';
+import { weighed } from './residual_strip.js';
 
 /** Frequencies that differ by less are the same: files have six digits. */
 const near = 1e-6;
@@ -39,75 +42,136 @@ function rowsOf(channel, { low, high, fitted }, band) {
   });
 }
 
+/** Frequencies around each mode, up to half way to its neighbours on a logarithmic axis: as bandsOf(). */
+export function modeBands(modes, channels, band) {
+  const known = modes.filter(({ frequency_Hz }) => frequency_Hz > 0).sort((a, b) => a.frequency_Hz - b.frequency_Hz);
+  const widest = 2 ** 0.5;
+  const between = (a, b) => Math.sqrt(a.frequency_Hz * b.frequency_Hz);
+  return known
+    .map((mode, i) => ({
+      name: mode.name,
+      low: Math.max(mode.frequency_Hz / widest, i ? between(known[i - 1], mode) : 0),
+      high: Math.min(mode.frequency_Hz * widest, i + 1 < known.length ? between(mode, known[i + 1]) : Infinity),
+    }))
+    .map((part) => ({ ...part, fitted: band != null && channels.some((channel) => rowsOf(channel, { ...part, fitted: true }, band).length > 0) }))
+    .filter((part) => channels.some((channel) => rowsOf(channel, part, band).length));
+}
+
+const rms = (list) => (list.length ? Math.sqrt(list.reduce((sum, value) => sum + value * value, 0) / list.length) : null);
+const numbers = (list) => list.filter((value) => value != null);
+
 /** Relative error of a channel over a part of the band; null where there is none. */
 export function errorOver(channel, part, band, model) {
-  const errors = rowsOf(channel, part, band).map((i) => relativeError(channel, i, model)).filter((error) => error != null);
-  return errors.length ? Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length) : null;
+  return rms(numbers(rowsOf(channel, part, band).map((i) => relativeError(channel, i, model))));
 }
 
-function cell(value, fitted) {
-  const strength = value == null ? 0 : (fitted ? 1 : 0.4) * Math.min(1, Math.sqrt(value / 1.5));
+/** Root mean square of the residuals [sd] of a weighed channel over a part of the band; null where there is none. */
+export function residualOver(channel, part, band, model) {
+  const answer = { gain: channel[`gain_${model}`] ?? [], phase: channel[`phase_${model}`] ?? [], mean: channel[`mean_${model}`] };
+  const residuals = residualsOf(channel, answer, channel.error, channel.loudest);
+  return rms(numbers(rowsOf(channel, part, band).flatMap((i) => Object.values(residuals).map((list) => list[i]))));
+}
+
+/** Whether a channel moves so little there, beside others of its unit, that it is next to a node. */
+export function isNearNode(channel, part, band) {
+  const small = 0.1;
+  const rows = rowsOf(channel, part, band);
+  return rows.length > 0 && channel.loudest != null && rows.every((i) => !(channel.gain_measured[i] > small * channel.loudest[i]));
+}
+
+/** What is shown of a cell: a number, the strength of its colour, and words. */
+const measures = {
+  sd: { of: residualOver, strength: (value) => Math.min(1, Math.max(0, (value - 1) / 6)), text: (value) => fixed(value, value < 9.95 ? 1 : 0), unit: ' sd' },
+  percent: { of: errorOver, strength: (value) => Math.min(1, Math.sqrt(value / 1.5)), text: (value) => fixed(100 * value, value < 0.0995 ? 1 : 0), unit: ' %' },
+};
+
+/** Leads to the curve. */
+function cell(channel, part, band, { measure, model }) {
+  const { of, strength, text, unit } = measures[measure];
+  const value = of(channel, part, band, model);
+  const node = isNearNode(channel, part, band);
+  const share = value == null ? 0 : (part.fitted ? 1 : 0.4) * strength(value);
+  const target = { recording: channel.recording, channel: channel.name, low: part.low, high: part.high };
+  const words = value == null ? '' : `${channel.name} in ${channel.recording}, ${shown(part.low, 3)} to ${shown(part.high, 3)} Hz: ${text(value)}${unit}${node ? ', next to a node: it moves less than a tenth of the others of its unit' : ''}`;
   return el(
     'td',
-    {
-      class: `n heat${fitted ? '' : ' unfitted'}`,
-      style: { background: `color-mix(in srgb, var(--model) ${fixed(70 * strength, 0)}%, transparent)` },
-    },
-    value == null ? '' : fixed(100 * value, value < 0.0995 ? 1 : 0),
+    { class: `n heat${part.fitted ? '' : ' unfitted'}`, style: { background: `color-mix(in srgb, var(--model) ${fixed(70 * share, 0)}%, transparent)` } },
+    value == null ? '' : el('button', { type: 'button', title: words, 'aria-label': words, onclick: () => focus(target) }, text(value), node ? el('sup', {}, '\u25cb') : null),
   );
 }
 
-function table(recording, channels, parts, band, model) {
-  const head = parts.map(({ low, high, fitted }) => el('th', { class: `n${fitted ? '' : ' unfitted'}` }, `${shown(low, 3)}\u2013${shown(high, 3)}`));
-  const rows = channels.map((channel) =>
-    el(
-      'tr',
-      {},
-      el('td', {}, el('code', {}, channel.name)),
-      ...parts.map((part) => cell(errorOver(channel, part, band, model), part.fitted)),
-    ),
-  );
+function table(recording, channels, parts, band, state) {
+  const range = ({ low, high }) => `${shown(low, 3)}\u2013${shown(high, 3)}`;
+  const head = parts.map((part) => el('th', { class: `n${part.fitted ? '' : ' unfitted'}`, scope: 'col' }, part.name ? [el('span', {}, part.name), el('br'), el('small', {}, range(part))] : range(part)));
+  const rows = channels.map((channel) => el('tr', {}, el('th', { scope: 'row' }, el('code', {}, channel.name)), ...parts.map((part) => cell(channel, part, band, state))));
   return el(
     'div',
     { class: 'table' },
-    el('table', { class: 'heats' }, el('thead', {}, el('tr', {}, el('th', {}, `${recording}, Hz`), ...head)), el('tbody', {}, ...rows)),
+    el('table', { class: 'heats' }, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, `${recording}, Hz`), ...head)), el('tbody', {}, ...rows)),
   );
 }
 
-/** Adds to the summary's worst channel where it is worst; its link leads to that recording's chart. */
-function markWorst(channels, parts, band) {
+/** The summary's worst channel by its residuals where they have a size, and where it is worst; its link leads there. */
+function markWorst(channels, parts, band, isWeighed) {
   const link = document.querySelector('[data-worst]');
+  if (!link) return;
+  const of = isWeighed ? residualOver : errorOver;
   const cells = channels
-    .filter(({ name }) => name === link?.dataset.worst)
-    .flatMap((channel) => parts.filter(({ fitted }) => fitted).map((part) => ({ channel, part, error: errorOver(channel, part, band, 'modelled') ?? 0 })));
+    .filter(({ name }) => isWeighed || name === link.dataset.worst)
+    .flatMap((channel) => parts.filter(({ fitted }) => fitted).map((part) => ({ channel, part, error: of(channel, part, band, 'modelled') ?? 0 })));
   if (!cells.length) return;
-  const { channel, part } = cells.reduce((worst, cell) => (cell.error > worst.error ? cell : worst));
-  link.closest('.tile').lastElementChild.append(`, worst at ${shown(part.low, 3)}\u2013${shown(part.high, 3)} Hz in ${channel.recording}`);
+  const { channel, part, error } = cells.reduce((worst, cell) => (cell.error > worst.error ? cell : worst));
+  const note = link.closest('.tile').lastElementChild;
+  if (isWeighed) {
+    link.replaceChildren(el('code', {}, channel.name));
+    note.textContent = `${measures.sd.text(error)} times noise and stated model error`;
+  }
+  note.append(`, worst at ${shown(part.low, 3)}\u2013${shown(part.high, 3)} Hz in ${channel.recording}`);
   link.addEventListener('click', (event) => {
     event.preventDefault();
-    for (const button of document.querySelectorAll('#responses .controls button')) if (button.textContent === channel.recording) button.click();
-    document.querySelector(`#responses .chart[data-channel="${CSS.escape(channel.name)}"]`)?.scrollIntoView({ block: 'center' });
+    focus({ recording: channel.recording, channel: channel.name, low: part.low, high: part.high });
   });
 }
 
-/** Relative error by octave and band, a table per recording. */
+const notes = {
+  sd: 'Root mean square of the residuals in standard deviations, of noise and stated model error, gain, phase and mean offset together: about 1 where the model explains the data.',
+  percent: 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together.',
+};
+const divisions = { octave: 'By octave, split at the limits of the fitted band.', mode: 'By mode, up to half way to its neighbours and half an octave at most.' };
+
+/** Errors of each channel by octave or by mode, a table per recording. */
 export function drawResiduals(place, data) {
   const band = fittedBand(data.result.band_Hz, data.responses);
-  const parts = bandsOf(data.responses, band);
-  const recordings = [...new Set(data.responses.map((channel) => channel.recording))];
-  const hasStart = data.responses.some((channel) => channel.gain_start?.some((value) => value != null));
+  const channels = weighed(data.responses, data.model_error);
+  const octaves = bandsOf(channels, band);
+  const modes = modeBands(listOf(data.scene?.modes), channels, band);
+  const recordings = [...new Set(channels.map((channel) => channel.recording))];
+  const hasStart = channels.some((channel) => channel.gain_start?.some((value) => value != null));
+  const hasSd = channels.some((channel) => channel.error && octaves.some((part) => residualOver(channel, part, band, 'modelled') != null));
+  const state = { measure: hasSd ? 'sd' : 'percent', model: 'modelled', by: 'octave' };
   const tables = el('div', { class: 'tables' });
-  const redraw = (model) =>
-    tables.replaceChildren(
-      ...recordings.map((name) =>
-        table(name, data.responses.filter((channel) => channel.recording === name), parts, band, model),
-      ),
-    );
+  const note = el('p', { class: 'note' });
+  const redraw = () => {
+    const parts = state.by === 'mode' ? modes : octaves;
+    note.textContent = `${notes[state.measure]} ${divisions[state.by]} Grey: not fitted; \u25cb: next to a node, where a channel moves less than a tenth of the others of its unit. A cell leads to its curve.`;
+    tables.replaceChildren(...recordings.map((name) => table(name, channels.filter((channel) => channel.recording === name), parts, band, state)));
+  };
+  const control = (label, key, options) =>
+    choice(label, options, state[key], (value) => {
+      state[key] = value;
+      redraw();
+    });
   place.append(
-    el('p', { class: 'note' }, 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together, by octave and split at the limits of the fitted band. Grey: not fitted.'),
+    note,
+    el(
+      'div',
+      { class: 'controls' },
+      hasSd ? control('measure', 'measure', [['sd', 'sd'], ['percent', '%']]) : null,
+      modes.length ? control('divided', 'by', [['octave', 'by octave'], ['mode', 'by mode']]) : null,
+      hasStart ? control('model', 'model', [['modelled', 'fit'], ['start', 'start']]) : null,
+    ),
+    tables,
   );
-  if (hasStart) place.append(el('div', { class: 'controls' }, choice('model', [['modelled', 'fit'], ['start', 'start']], 'modelled', redraw)));
-  place.append(tables);
-  redraw('modelled');
-  markWorst(data.responses, parts, band);
+  redraw();
+  markWorst(channels, octaves, band, hasSd);
 }

@@ -26,9 +26,19 @@ export function isDark() {
   return document.documentElement.dataset.theme === 'dark';
 }
 
+/** Whether the page is drawn for paper. */
+export const isPrinting = () => document.documentElement.classList.contains('printing');
+
 /** Calls back whenever the colours change. */
 export function onTheme(listener) {
   listeners.push(listener);
+}
+
+const papers = [];
+
+/** Calls back with true before the page is printed, with false after that. */
+export function onPaper(listener) {
+  papers.push(listener);
 }
 
 function set(dark) {
@@ -58,9 +68,11 @@ export function startTheme() {
   addEventListener('beforeprint', () => {
     document.documentElement.classList.add('printing');
     set(false);
+    for (const listener of papers) listener(true);
   });
   addEventListener('afterprint', () => {
     document.documentElement.classList.remove('printing');
+    for (const listener of papers) listener(false);
     set(wanted());
   });
 }

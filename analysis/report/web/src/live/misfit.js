@@ -5,7 +5,7 @@ export function polar({ re, im }) {
 }
 
 /** Largest measured gain of each unit at each frequency. */
-function loudestOf(channels) {
+export function loudestOf(channels) {
   const loudest = new Map();
   for (const { unit, gain_measured } of channels) {
     const most = loudest.get(unit) ?? gain_measured.map(() => 0);
@@ -14,33 +14,51 @@ function loudestOf(channels) {
   return loudest;
 }
 
+const radian = Math.PI / 180;
+/** Null where nothing weighs it. */
+const over = (difference, sd) => (sd > 0 && Number.isFinite(difference) ? difference / sd : null);
+
 /**
- * Sum of squared residuals of a recording's channels and their number, as FourPostResiduals() weighs them: along and
- * across the measured phasor, and of means. `answers`: {gain, phase, mean} of each channel. Rows out of band are none,
- * nor are those without an answer.
+ * Residuals of a channel in standard deviations, as FourPostResiduals() weighs them: along and across the measured
+ * phasor, and of the mean. `answer`: {gain, phase, mean}; `loudest`: of the channel's unit. Null where there is none.
+ */
+export function residualsOf(channel, answer, error, loudest) {
+  const share = 10 ** (error.gain_dB / 20) - 1;
+  const has = (i) => channel.gain_measured[i] != null && answer.gain[i] != null;
+  const of = (number) => channel.gain_measured.map((_, i) => (has(i) ? number(i) : null));
+  const turn = (i) => ((answer.phase[i] ?? NaN) - (channel.phase_measured?.[i] ?? NaN)) * radian;
+  const floor = (i) => error.floor * loudest[i];
+  return {
+    along: of((i) => {
+      const gain = channel.gain_measured[i];
+      return over(answer.gain[i] * Math.cos(turn(i)) - gain, Math.hypot(channel.gain_sd?.[i] ?? 0, gain * share, floor(i)));
+    }),
+    across: of((i) => {
+      const gain = channel.gain_measured[i];
+      return over(answer.gain[i] * Math.sin(turn(i)), Math.hypot((channel.phase_sd?.[i] ?? 0) * radian * gain, gain * error.phase_rad, floor(i)));
+    }),
+    mean: channel.gain_measured.map((_, i) =>
+      channel.mean_measured?.[i] != null && answer.mean?.[i] != null ? over(answer.mean[i] - channel.mean_measured[i], error.mean_m) : null,
+    ),
+  };
+}
+
+/**
+ * Sum of squared residuals of a recording's channels and their number. `answers`: {gain, phase, mean} of each channel.
+ * Rows out of band are none, nor are those without an answer.
  */
 export function squaresOf(channels, answers, error) {
   const loudest = loudestOf(channels);
-  const share = 10 ** (error.gain_dB / 20) - 1;
-  const radian = Math.PI / 180;
   let sum = 0;
   let count = 0;
-  const add = (residual) => {
-    sum += residual * residual;
-    count += 1;
-  };
   channels.forEach((channel, c) => {
-    const answer = answers[c];
-    channel.gain_measured.forEach((gain, i) => {
-      if (!channel.in_band[i] || gain == null) return;
-      if (answer.gain[i] != null) {
-        const turn = (answer.phase[i] - channel.phase_measured[i]) * radian;
-        const floor = error.floor * loudest.get(channel.unit)[i];
-        add((answer.gain[i] * Math.cos(turn) - gain) / Math.hypot(channel.gain_sd?.[i] ?? 0, gain * share, floor));
-        add((answer.gain[i] * Math.sin(turn)) / Math.hypot((channel.phase_sd?.[i] ?? 0) * radian * gain, gain * error.phase_rad, floor));
-      }
-      if (channel.mean_measured?.[i] != null && answer.mean?.[i] != null) add((answer.mean[i] - channel.mean_measured[i]) / error.mean_m);
-    });
+    const residuals = residualsOf(channel, answers[c], error, loudest.get(channel.unit));
+    for (const list of Object.values(residuals))
+      list.forEach((residual, i) => {
+        if (!channel.in_band[i] || residual == null) return;
+        sum += residual * residual;
+        count += 1;
+      });
   });
   return { sum, count };
 }

@@ -1,6 +1,6 @@
 // The reduced vehicle of a page in WebAssembly: identify/live/live_calls.h.
 
-const bytesOf = (base64) => Uint8Array.from(atob(base64), (digit) => digit.charCodeAt(0));
+import { bytesOf, unpacked } from '../unpacked.js';
 
 const kinds = ['oscillating', 'overdamped', 'free', 'diverging'];
 
@@ -12,10 +12,6 @@ function noSystem(module) {
     imports[from][name] = name === 'proc_exit' ? () => { throw new Error('the program ended'); } : () => 0;
   }
   return imports;
-}
-
-async function unpacked(base64) {
-  return new Response(new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
 /**

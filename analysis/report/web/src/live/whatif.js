@@ -1,9 +1,14 @@
-import { choice, el } from '../dom.js';
+import { choice, el, tick } from '../dom.js';
+import { inAddress, putInAddress } from '../address.js';
 import { fixed, shown } from '../number.js';
 import { tellAnswer } from './answers.js';
 import { misfitOf, polar, squaresOf } from './misfit.js';
 import { asOptions, inSi, rounded, shareOf, valueAt } from './setting.js';
+import { linkMotion } from '../viewer/motion.js';
+import { covarianceOf, resolved } from './resolved.js';
+import { save } from '../tools.js';
 import { openVehicle } from './vehicle.js';
+import { withValues } from './vehicle_file.js';
 
 const hysteretic = 'Dry friction acts on a mount: steady responses would take time integration, too slow to follow a slider. Modes follow.';
 const fullGeometry = 'The fit is drawn with the full geometry, this line with small motion about the design pose.';
@@ -24,9 +29,32 @@ export function likeness(a, b) {
   return aa && bb ? (re * re + im * im) / (aa * bb) : 0;
 }
 
-/** Each mode with the name of the fitted mode that it is most like, which no other takes. */
-export function named(modes, fitted) {
-  const pairs = modes.flatMap((mode, i) => fitted.map((like, k) => ({ i, k, alike: likeness(mode.shape, like.shape) })));
+/** How the links of a scene move in a shape, by the roots of their masses: re, im, re, im ... Coordinates have no weight. */
+export function bodily({ links }, shape) {
+  const moving = links.filter(({ mass }) => mass > 0);
+  return moving.flatMap(({ mass, motion, com, turn }) => {
+    const offset = turned(com, turn);
+    const parts = [0, 1].map((part) => {
+      const m = linkMotion({ motion }, shape.filter((_, k) => k % 2 === part));
+      return [m[0] + m[4] * offset[2] - m[5] * offset[1], m[1] + m[5] * offset[0] - m[3] * offset[2], m[2] + m[3] * offset[1] - m[4] * offset[0], m[3], m[4], m[5]];
+    });
+    return parts[0].flatMap((re, k) => [Math.sqrt(mass) * re, Math.sqrt(mass) * parts[1][k]]);
+  });
+}
+
+/** A vector turned by a quaternion x y z w. */
+function turned([a, b, c], [x, y, z, w]) {
+  const [p, q, r] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
+  return [a + w * p + y * r - z * q, b + w * q + z * p - x * r, c + w * r + x * q - y * p];
+}
+
+/** Each mode with the name of the fitted mode that it is most like, which no other takes; `as`: how a shape is compared. */
+export function named(modes, fitted, as = (shape) => shape) {
+  const likes = fitted.map(({ shape }) => as(shape));
+  const pairs = modes.flatMap((mode, i) => {
+    const own = as(mode.shape);
+    return likes.map((like, k) => ({ i, k, alike: likeness(own, like) }));
+  });
   const names = new Array(modes.length).fill(null);
   const taken = new Set();
   for (const { i, k } of pairs.sort((a, b) => b.alike - a.alike)) {
@@ -57,7 +85,7 @@ class Car {
     const coordinates = all.slice(this.places.size);
     return {
       answers,
-      squares: squaresOf(channels, answers, this.data.model_error),
+      squares: this.data.model_error ? squaresOf(channels, answers, this.data.model_error) : { sum: 0, count: 0 },
       coordinates: motion.frequency_Hz.map((_, i) => coordinates.flatMap(({ re, im }) => [re[i], im[i]])),
     };
   }
@@ -67,7 +95,7 @@ class Car {
     const responds = this.vehicle.set(si);
     const recordings = this.recordings.filter(({ motion }) => !wanted || wanted.includes(motion.name));
     const responses = responds ? new Map(recordings.map((recording) => [recording.motion.name, this.#answer(recording)])) : null;
-    const modes = this.coordinates ? named(this.vehicle.modes(this.coordinates), this.data.scene.modes) : [];
+    const modes = this.coordinates ? named(this.vehicle.modes(this.coordinates), this.data.scene.modes, (shape) => bodily(this.data.scene, shape)) : [];
     return { responses, modes };
   }
 
@@ -98,7 +126,8 @@ function row(parameter, change) {
     el('span', {}, field, ' ', unit === '1' ? '' : unit.replace('^2', '\u00b2').replaceAll('*', '\u00b7')),
     el('div', { class: 'track' }, el('span', { class: 'bar' }, band, mark('start', start), mark('value', value)), slider),
   );
-  const show = (now) => {
+  const show = (now, isHeld = false) => {
+    box.classList.toggle('held', isHeld);
     slider.value = shareOf(parameter, now);
     field.value = Number(now.toPrecision(5));
     box.classList.toggle('changed', now !== value);
@@ -136,6 +165,10 @@ export async function openWhatIf(data, shownRecording, shut) {
   const fit = parameters.map(({ value }) => value);
   const settings = { A: [...fit], B: [...fit] };
   const past = [];
+  /** What a hand has moved. */
+  const held = { A: new Set(), B: new Set() };
+  const covariance = covarianceOf(data.result, parameters);
+  let others = false;
   let chosen = 'B';
   let before = [...fit];
   let waits = null;
@@ -172,13 +205,22 @@ export async function openWhatIf(data, shownRecording, shut) {
   const ask = () => (frame ??= requestAnimationFrame(() => answer(false)));
 
   function showAll() {
-    rows.forEach(({ show }, i) => show(values()[i]));
+    rows.forEach(({ show }, i) => show(values()[i], held[chosen].has(i)));
     options.value = asOptions(parameters, values());
     undo.disabled = !past.length;
+    putInAddress('whatif', parameters.flatMap(({ name }, i) => (values()[i] === fit[i] ? [] : [`${name}:${Number(values()[i].toPrecision(6))}`])).join(','));
+  }
+  /** The others where the data want them while those that a hand has moved are held. */
+  function solveOthers() {
+    if (!others || !held[chosen].size) return;
+    settings[chosen] = resolved(covariance, parameters, values(), [...held[chosen]]).map((value, k) => (held[chosen].has(k) ? value : rounded(parameters[k], value)));
+    rows.forEach(({ show }, k) => show(values()[k], held[chosen].has(k)));
   }
   function set(i, value, rests) {
     values()[i] = value;
-    rows[i].show(value);
+    held[chosen].add(i);
+    rows[i].show(value, true);
+    solveOthers();
     if (rests) {
       if (before.some((one, k) => one !== values()[k])) past.push(before);
       before = [...values()];
@@ -189,6 +231,7 @@ export async function openWhatIf(data, shownRecording, shut) {
   function take(list, remember = true) {
     if (remember) past.push([...values()]);
     settings[chosen] = [...list];
+    held[chosen] = new Set(list.flatMap((value, i) => (value === fit[i] || others ? [] : [i])));
     before = [...list];
     showAll();
     ask();
@@ -198,9 +241,14 @@ export async function openWhatIf(data, shownRecording, shut) {
     await navigator.clipboard?.writeText(options.value).catch(() => {});
   }
 
+  function saveVehicle() {
+    const changed = parameters.map((parameter, i) => ({ ...parameter, value: Number(values()[i].toPrecision(8)) }));
+    save('vehicle_whatif.urdf', 'application/xml', withValues(data.live.file, changed.filter((_, i) => values()[i] !== fit[i])));
+  }
+
   const split = parameters.findIndex((parameter) => !('interval_95' in parameter));
   const boxes = rows.map(({ box }) => box);
-  const others = split < 0 ? [] : boxes.slice(split);
+  const further = split < 0 ? [] : boxes.slice(split);
   const panel = el(
     'aside',
     { class: 'whatif', 'aria-label': 'What if' },
@@ -221,20 +269,38 @@ export async function openWhatIf(data, shownRecording, shut) {
     ),
     fitted == null ? null : el('p', { class: 'figure' }, 'misfit of responses ', misfit),
     fault,
+    covariance
+      ? tick('others follow the data', false, (on) => {
+          others = on;
+          if (on) past.push([...values()]);
+          solveOthers();
+          before = [...values()];
+          showAll();
+          ask();
+        })
+      : null,
     el('div', { class: 'rows' }, ...(split < 0 ? boxes : boxes.slice(0, split))),
-    others.length ? el('details', {}, el('summary', {}, 'not fitted'), el('div', { class: 'rows' }, ...others)) : null,
-    el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', '', '\u03b6'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
+    further.length ? el('details', { open: split === 0 }, el('summary', {}, split === 0 ? 'parameters' : 'not fitted'), el('div', { class: 'rows' }, ...further)) : null,
+    el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'change', '\u03b6'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
     el('div', { class: 'copy' }, options, el('button', { type: 'button', onclick: copy }, 'copy')),
-    el('p', { class: 'note' }, 'On each track: dot the fit, line the start, band the interval of 95 %.'),
+    data.live.file ? el('div', { class: 'copy' }, el('button', { type: 'button', onclick: saveVehicle }, 'save as vehicle file')) : null,
+    el('p', { class: 'note' }, split === 0 ? 'On each track: dot the value of the file.' : 'On each track: dot the fit, line the start, band the interval of 95 %. Where others follow the data, those that you moved are held, and all others go where the fit would put them, by its Jacobian.'),
   );
   function close() {
     clearTimeout(waits);
     if (frame) cancelAnimationFrame(frame);
     panel.remove();
+    putInAddress('whatif', null);
     tellAnswer(null);
     shut();
   }
   misfit.textContent = fromFit(fitted);
+  // Of a link that was handed on.
+  for (const [name, value] of (inAddress('whatif') ?? '').split(',').map((pair) => pair.split(':'))) {
+    const i = parameters.findIndex((parameter) => parameter.name === name);
+    if (i >= 0 && Number.isFinite(Number(value))) values()[i] = Number(value);
+  }
+  before = [...values()];
   showAll();
   modes.replaceChildren(...modeRows(first.modes));
   return { panel, answer: () => answer(true) };

@@ -68,15 +68,41 @@ export function motionsOf(scene) {
   return [...modes, ...responses, ...histories];
 }
 
+/** A shape turned and scaled to come nearest to another, for a shape has neither size nor phase: re, im, re, im ... */
+export function aligned(shape, like) {
+  let [re, im, size] = [0, 0, 0];
+  for (let k = 0; k + 1 < shape.length; k += 2) {
+    re += shape[k] * like[k] + shape[k + 1] * like[k + 1];
+    im += shape[k] * like[k + 1] - shape[k + 1] * like[k];
+    size += shape[k] ** 2 + shape[k + 1] ** 2;
+  }
+  if (!size) return shape;
+  return shape.map((_, k) => (k % 2 ? shape[k] * re + shape[k - 1] * im : shape[k] * re - shape[k + 1] * im) / size);
+}
+
+/** A motion as the car of the sliders has it, {responses, modes}; as it is where that says nothing of it. */
+export function followed(chosen, answer) {
+  if (chosen?.kind === 'mode') {
+    const mode = answer?.modes?.find(({ of }) => of === chosen.mode);
+    return mode ? { ...chosen, mode: { ...chosen.mode, ...mode, name: chosen.mode.name, shape: aligned(mode.shape, chosen.mode.shape) } } : chosen;
+  }
+  const coordinates = chosen?.kind === 'response' ? answer?.responses?.get(chosen.name)?.coordinates : null;
+  return coordinates ? { ...chosen, motion: { ...chosen.motion, coordinates } } : chosen;
+}
+
 /**
- * Coordinates and heights of the posts (one complex number each) of a motion; of a response at frequency number `at`.
+ * Coordinates and heights of the posts (one complex number each) of a motion; of a response at frequency number `at`,
+ * and those of the measured car where sensors saw it.
  * Posts move as A sin(wt) = Re(-i A e^(iwt)), and the coordinates are relative to A.
  */
 export function phasors(scene, chosen, at) {
-  if (chosen.kind === 'mode') return { coordinates: chosen.mode.shape, posts: scene.posts.map(() => [0, 0]) };
+  if (chosen.kind === 'mode') return { coordinates: chosen.mode.shape, posts: scene.posts.map(() => [0, 0]), measured: null };
   const { motion } = chosen;
   const amplitude = motion.amplitude_m[at];
-  const told = motion.coordinates[at];
-  const coordinates = told.map((_, k) => amplitude * (k % 2 ? -(told[k - 1] ?? 0) : told[k + 1] ?? 0));
-  return { coordinates, posts: motion.posts.map((share) => [0, -share * amplitude]) };
+  const sized = (told) => told.map((_, k) => amplitude * (k % 2 ? -(told[k - 1] ?? 0) : told[k + 1] ?? 0));
+  return {
+    coordinates: sized(motion.coordinates[at]),
+    posts: motion.posts.map((share) => [0, -share * amplitude]),
+    measured: motion.measured ? sized(motion.measured[at]) : null,
+  };
 }

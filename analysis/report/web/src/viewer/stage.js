@@ -5,7 +5,8 @@ import {
   TubeGeometry, Box3,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { linkMotion } from './motion.js';
+import { Ghost } from './ghost.js';
+import { moveLinks } from './move_links.js';
 import { WireRenderer } from './wire.js';
 
 const up = new Vector3(0, 0, 1);
@@ -74,6 +75,7 @@ export class Stage {
       post: new MeshLambertMaterial(),
       sensor: new MeshLambertMaterial(),
       edges: new LineBasicMaterial({ transparent: true, opacity: 0.75 }),
+      ghost: new LineBasicMaterial({ transparent: true, opacity: 0.95, depthTest: false }),
     };
     this.lights = [new AmbientLight(0xffffff, 1.5), new DirectionalLight(0xffffff, 1.9), new DirectionalLight(0xffffff, 0.7)];
     this.lights[1].position.set(3, 4, 8);
@@ -88,6 +90,8 @@ export class Stage {
     this.#addElements();
     this.#addPosts();
     this.#addSensors();
+    this.ghost = new Ghost(scene, this.links, this.materials.ghost);
+    this.world.add(this.ghost.group);
     this.setPalette(palette);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enablePan = true;
@@ -306,6 +310,7 @@ export class Stage {
     set('post', dark ? '#4b555d' : '#b4bdc5');
     set('sensor', good);
     set('edges', dark ? '#aeb9c2' : text);
+    set('ghost', measured);
     const colours = this.grid.geometry.attributes.color;
     const colour = new Color(line);
     for (let i = 0; i < colours.count; ++i) colours.setXYZ(i, colour.r, colour.g, colour.b);
@@ -345,24 +350,28 @@ export class Stage {
     this.controls?.update();
   }
 
-  /** Coordinates s and heights of the posts, both already exaggerated. */
-  pose(s, heights) {
-    const turn = new Quaternion();
-    const axis = new Vector3();
-    this.scene.links.forEach((link, k) => {
-      const m = linkMotion(link, s);
-      const group = this.links[k];
-      group.position.set(link.place[0] + m[0], link.place[1] + m[1], link.place[2] + m[2]);
-      axis.set(m[3], m[4], m[5]);
-      const angle = axis.length();
-      group.quaternion.fromArray(link.turn);
-      if (angle > 0) group.quaternion.premultiply(turn.setFromAxisAngle(axis.divideScalar(angle), angle));
-      group.updateMatrixWorld(true);
-    });
+  /** The camera about what it looks at: around the vertical, over [rad], and so many times as far. */
+  orbit(around, over, times) {
+    const { target } = this.controls;
+    const from = this.camera.position.clone().sub(target);
+    const polar = Math.acos(from.z / from.length());
+    from.applyAxisAngle(up, around);
+    const across = new Vector3().crossVectors(up, from).normalize();
+    const to = Math.min(Math.PI - 0.05, Math.max(0.05, polar + over));
+    if (across.length()) from.applyAxisAngle(across, to - polar);
+    this.camera.position.copy(target).add(from.multiplyScalar(times));
+    this.preset = null;
+    this.controls.update();
+  }
+
+  /** Coordinates s and heights of the posts, both already exaggerated; `measured`: s of the measured car, or null. */
+  pose(s, heights, measured = null) {
+    moveLinks(this.scene, this.links, s);
     for (const move of this.moved) move();
     this.platforms.forEach((list, p) => {
       for (const { group, foot } of list) group.position.z = foot.z + (heights[p] ?? 0);
     });
+    this.ghost.pose(measured);
   }
 
   render() {

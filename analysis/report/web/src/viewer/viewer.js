@@ -1,9 +1,11 @@
 import { choice, el, tick } from '../dom.js';
 import { fixed, shown } from '../number.js';
-import { colours, isDark, onTheme } from '../theme.js';
+import { inAddress, putInAddress } from '../address.js';
+import { colours, isDark, onPaper, onTheme } from '../theme.js';
 import { movePlayhead } from '../playhead.js';
-import { between, coordinatesAt, framesOf, greatestMotion, greatestOf, motionsOf, phasors } from './motion.js';
-import { Stage } from './stage.js';
+import { onAnswer } from '../live/answers.js';
+import { between, coordinatesAt, followed, framesOf, greatestMotion, greatestOf, motionsOf, phasors } from './motion.js';
+import { openStage } from './packed.js';
 
 /** How long a cycle is on the screen [s]; a fast motion is shown slower. */
 const cycle_s = 1.6;
@@ -40,46 +42,96 @@ function optionsOf(motions) {
 const lastOf = ({ start_s, rate_Hz, frames }) => start_s + (frames - 1) / rate_Hz;
 
 class Viewer {
+  /** Without a stage, which comes later: it has its size and its controls at once. */
   constructor(place, scene) {
     this.scene = scene;
     this.motions = motionsOf(scene);
-    this.chosen = this.motions[0];
+    // Not the slowest, which may be fore and aft.
+    this.first = this.motions.find(({ kind, name }) => kind === 'mode' && name === 'heave') ?? this.motions[0];
+    this.chosen = this.first;
     this.at = 0;
     this.phase = 0;
     this.time = 0;
     this.strength = 1;
     this.playing = false;
-    this.canvas = el('canvas', { 'aria-label': 'the vehicle on its posts; drag to turn' });
+    this.hasGhost = true;
+    this.hasSensors = true;
+    this.wantedView = 'corner';
+    this.stage = null;
+    this.canvas = el('canvas', { tabIndex: 0, role: 'img', 'aria-label': 'the vehicle on its posts; drag or arrow keys turn it, plus and minus come nearer', onkeydown: (event) => this.#turn(event) });
     this.caption = el('div', { class: 'caption' });
     this.frame = el('div', { class: 'viewer' }, this.canvas, this.caption);
-    const palette = () => ({ ...colours(), dark: isDark() });
-    this.stage = new Stage(this.canvas, scene, palette());
-    this.points = pointsOf(this.stage, scene);
     place.append(this.#controls(), this.frame, this.#transport());
     onTheme(() => {
-      this.stage.setPalette(palette());
+      this.stage?.setPalette(this.#palette());
       this.#fit();
     });
-    this.stage.controls.addEventListener('change', () => this.draw());
     new ResizeObserver(() => this.#fit()).observe(this.frame);
     new IntersectionObserver(([entry]) => (this.visible = entry.isIntersecting)).observe(this.frame);
     this.#fit();
-    this.choose(this.chosen);
+    this.choose(this.motions.find(({ id }) => id === inAddress('motion')) ?? this.chosen);
+    onAnswer((answer) => this.#follow(answer));
+  }
+
+  #palette() {
+    return { ...colours(), dark: isDark() };
+  }
+
+  /** From here on the vehicle is drawn. */
+  open(Stage) {
+    if (this.stage) return;
+    this.stage = new Stage(this.canvas, this.scene, this.#palette());
+    this.stage.sensors.visible = this.hasSensors;
+    this.stage.view(this.wantedView);
+    this.points = pointsOf(this.stage, this.scene);
+    this.stage.controls.addEventListener('change', () => this.draw());
+    this.#measure();
+    this.#fit();
+  }
+
+  /** The car of the sliders in place of the fitted one, drawn as much larger as that. */
+  #follow(answer) {
+    const now = followed(this.chosen, answer);
+    this.moved = now === this.chosen ? null : now;
+    this.answer = answer;
+    this.draw();
+  }
+
+  /** The motion as it is drawn: of the sliders' car where there is one. */
+  get drawn() {
+    return this.moved ?? this.chosen;
+  }
+
+  /** By arrow keys an eighth of a quarter, by plus and minus a tenth. */
+  #turn(event) {
+    const { key } = event;
+    const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key];
+    const nearer = { '+': 0.9, '=': 0.9, '-': 1 / 0.9 }[key];
+    if (!turns && !nearer) return;
+    event.preventDefault();
+    this.stage?.orbit(...(turns ?? [0, 0]).map((steps) => (steps * Math.PI) / 16), nearer ?? 1);
+    this.draw();
   }
 
   #fit() {
     const width = this.frame.clientWidth;
     const height = Math.round(Math.min(460, Math.max(260, 0.52 * width)));
     this.canvas.style.height = `${height}px`;
-    this.stage.resize(width, height);
+    this.stage?.resize(width, height);
     this.draw();
   }
 
   #controls() {
-    const select = el('select', { 'aria-label': 'motion', onchange: () => this.choose(this.motions.find((motion) => motion.id === select.value)) }, ...optionsOf(this.motions));
+    const select = el('select', { 'aria-label': 'motion', onchange: () => {
+      putInAddress('motion', select.value === this.first.id ? null : select.value);
+      this.choose(this.motions.find((motion) => motion.id === select.value));
+    } }, ...optionsOf(this.motions));
     const views = [['corner', 'corner'], ['side', 'side'], ['front', 'front'], ['top', 'top']];
+    select.value = inAddress('motion') ?? this.first?.id;
+    if (!select.value && this.first) select.value = this.first.id;
     const view = choice('view', views, 'corner', (name) => {
-      this.stage.view(name);
+      this.wantedView = name;
+      this.stage?.view(name);
       this.draw();
     });
     const strength = el('input', { type: 'range', min: -1, max: 1, step: 0.01, value: 0, 'aria-label': 'exaggeration', oninput: () => {
@@ -92,8 +144,15 @@ class Viewer {
       this.motions.length ? el('label', {}, 'motion', select) : null,
       view,
       el('label', {}, 'scale', strength),
+      this.scene.motions.some(({ measured }) => measured)
+        ? tick('measured car', true, (on) => {
+            this.hasGhost = on;
+            this.draw();
+          })
+        : null,
       tick('sensors', true, (on) => {
-        this.stage.sensors.visible = on;
+        this.hasSensors = on;
+        if (this.stage) this.stage.sensors.visible = on;
         this.draw();
       }),
     );
@@ -140,6 +199,7 @@ class Viewer {
 
   choose(motion) {
     this.chosen = motion;
+    this.moved = null;
     if (this.overTime) {
       this.frames = framesOf(motion.motion);
       this.time = motion.motion.start_s;
@@ -154,12 +214,12 @@ class Viewer {
       this.frequency.value = this.at;
     }
     this.#measure();
-    this.draw();
+    this.#follow(this.answer);
   }
 
   /** By how much the motion is drawn larger than it is, at a strength of 1. */
   #measure() {
-    if (!this.chosen) return;
+    if (!this.chosen || !this.stage) return;
     const greatest = this.overTime ? this.#greatestOverTime() : this.#greatestOfCycle();
     this.factor = greatest > 0 ? (share * this.stage.size) / greatest : 1;
   }
@@ -180,7 +240,7 @@ class Viewer {
     if (this.chosen.kind === 'mode') {
       // A mode has a shape and no size.
       const size = `scaled to ${shown(1000 * share * this.stage.size * this.strength, 2)} mm`;
-      const { name, frequency_Hz, kind } = this.chosen.mode;
+      const { name, frequency_Hz, kind } = this.drawn.mode;
       const words = kind === 'oscillating' ? '' : `, ${kind}`;
       return `${name}, ${shown(frequency_Hz, 3)} Hz${words}, ${size}${this.#slower(frequency_Hz)}${missing}`;
     }
@@ -188,7 +248,7 @@ class Viewer {
     if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames per second, ${larger}${missing}`;
     const frequency = this.chosen.motion.frequency_Hz[this.at];
     const amplitude = 1000 * this.chosen.motion.amplitude_m[this.at];
-    return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, ${larger}${this.#slower(frequency)}${missing}`;
+    return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, ${larger}${this.hasGhost && this.chosen.motion.measured ? ', blue lines the measured car' : ''}${this.#slower(frequency)}${missing}`;
   }
 
   #slower(frequency) {
@@ -228,23 +288,45 @@ class Viewer {
       const { start_s, rate_Hz } = this.chosen.motion;
       return Object.values(this.frames).map((rows) => between(rows, this.time - start_s, rate_Hz));
     }
-    const { coordinates, posts } = phasors(this.scene, this.chosen, this.at);
-    return [coordinatesAt(coordinates, this.phase), posts.map(([re, im]) => re * Math.cos(this.phase) - im * Math.sin(this.phase))];
+    const { coordinates, posts, measured } = phasors(this.scene, this.drawn, this.at);
+    const heights = posts.map(([re, im]) => re * Math.cos(this.phase) - im * Math.sin(this.phase));
+    return [coordinatesAt(coordinates, this.phase), heights, ...(measured && this.hasGhost ? [coordinatesAt(measured, this.phase)] : [])];
   }
 
   draw() {
+    if (!this.stage) return;
     if (this.chosen && this.factor) {
       const size = this.factor * this.strength;
       this.stage.pose(...this.#now().map((values) => values.map((value) => value * size)));
       if (this.overTime) movePlayhead(this.chosen.name, this.time);
     }
     if (this.hertz && this.chosen?.kind === 'response') this.hertz.textContent = `${fixed(this.chosen.motion.frequency_Hz[this.at], 2)} Hz`;
-    this.caption.textContent = this.#captionText();
+    this.caption.textContent = `${this.moved ? 'what if: ' : ''}${this.#captionText()}`;
     this.stage.render();
   }
 }
 
-/** The vehicle, moving. */
+/** The vehicle, moving; drawn from when it comes into view or is printed, for what draws it takes a second to begin. */
 export function drawViewer(place, data) {
-  new Viewer(place, data.scene);
+  const viewer = new Viewer(place, data.scene);
+  let stage = null;
+  const fetched = async () => {
+    try {
+      stage ??= await openStage();
+    } catch (error) {
+      viewer.caption.textContent = `The vehicle could not be drawn: ${error.message}`;
+    }
+  };
+  const open = () => stage && viewer.open(stage);
+  const watch = new IntersectionObserver(
+    ([entry]) => {
+      if (!entry.isIntersecting) return;
+      watch.disconnect();
+      fetched().then(open);
+    },
+    { rootMargin: '300px' },
+  );
+  watch.observe(viewer.frame);
+  (window.requestIdleCallback ?? setTimeout)(fetched);
+  onPaper((isOn) => isOn && open());
 }
