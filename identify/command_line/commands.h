@@ -135,6 +135,19 @@ struct ExportCommand {
   std::filesystem::path output;
 };
 
+/// `fourpost view MODEL`
+struct ViewCommand {
+  /// A vehicle file, or the folder of a fit.
+  std::filesystem::path input;
+  /// Modes and frequencies of the posts.
+  SweepText sweep;
+  /// "name=value"
+  std::vector<std::string> set;
+  /// Empty: the file's name with another ending, in this folder.
+  std::filesystem::path output;
+  bool json = false;
+};
+
 /// `fourpost simulate MODEL`; SI.
 struct SimulateCommand {
   enum class Motion { kSweep, kSine, kStep, kRandom, kRoad, kRecording };
@@ -330,6 +343,7 @@ int Run(const ModesCommand& command);
 int Run(const KinematicsCommand& command);
 int Run(const SettleCommand& command);
 int Run(const ExportCommand& command);
+int Run(const ViewCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);

@@ -13,30 +13,43 @@ constexpr std::array<std::string_view, 2> kHoldings = {"preload", "free_length"}
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 
 /// Options for how the posts of a vehicle move, and what of it changes.
+/// Modes of the posts, and frequencies.
+std::vector<CLI::Option*> AddModesAndFrequencies(CLI::App& subcommand, SweepText& sweep) {
+  return {AddList(subcommand, "--mode", sweep.modes, (std::string(kModeHelp) + "; may be given several times").c_str())
+              ->default_str("heave"),
+          subcommand
+              .add_option("--frequencies", sweep.frequencies,
+                          "FIRST:LAST:COUNT (0.5Hz:30Hz:40), FIRST:LAST:STEP (1Hz:5Hz:0.5Hz) or a list (1Hz,2Hz)")
+              ->capture_default_str()};
+}
+
 std::vector<CLI::Option*> AddSweep(CLI::App& subcommand, ResponseCommand& command) {
   SweepText& sweep = command.sweep;
-  std::vector<CLI::Option*> options = {
-      AddList(subcommand, "--mode", sweep.modes, (std::string(kModeHelp) + "; may be given several times").c_str())
-          ->default_str("heave"),
-      subcommand
-          .add_option("--frequencies", sweep.frequencies,
-                      "FIRST:LAST:COUNT (0.5Hz:30Hz:40), FIRST:LAST:STEP (1Hz:5Hz:0.5Hz) or a list (1Hz,2Hz)")
-          ->capture_default_str(),
-      AddChannels(subcommand, sweep.channels),
-      subcommand
-          .add_option_function<std::string>(
-              "--direction", [&sweep](const std::string& way) { sweep.falling = way == "down"; },
-              "Order of the frequencies: where several steady motions are possible, each continues the one before")
-          ->check(OneOf("--direction", kDirections))
-          ->default_str("up"),
-      AddStroke(subcommand, sweep.stroke),
-      AddSettings(subcommand, command.set),
-  };
+  std::vector<CLI::Option*> options = AddModesAndFrequencies(subcommand, sweep);
+  for (CLI::Option* option : {
+           AddChannels(subcommand, sweep.channels),
+           subcommand
+               .add_option_function<std::string>(
+                   "--direction", [&sweep](const std::string& way) { sweep.falling = way == "down"; },
+                   "Order of the frequencies: where several steady motions are possible, each continues the one before")
+               ->check(OneOf("--direction", kDirections))
+               ->default_str("up"),
+           AddStroke(subcommand, sweep.stroke),
+           AddSettings(subcommand, command.set),
+       })
+    options.push_back(option);
   for (CLI::Option* limit : AddLimits(subcommand, sweep.limits)) options.push_back(limit);
   return options;
 }
 
 }  // namespace
+
+void AddShownSweep(CLI::App& subcommand, SweepText& sweep) {
+  AddModesAndFrequencies(subcommand, sweep);
+  AddChannels(subcommand, sweep.channels);
+  AddStroke(subcommand, sweep.stroke);
+  AddLimits(subcommand, sweep.limits);
+}
 
 void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
   subcommand.add_option("MODEL", command.input, "Vehicle file (.urdf) or study (.yaml)")->required();
@@ -90,8 +103,9 @@ void AddOptions(CLI::App& subcommand, SettleCommand& command) {
       "--equilibrium", command.equilibrium,
       "In the file at rest leave the preloads of springs to equilibrium, as fits that free masses or rates need");
   subcommand
-      .add_option("--hold", command.hold,
-                  "Keep the design pose, and write the preloads or free lengths that hold it, of springs that state one")
+      .add_option(
+          "--hold", command.hold,
+          "Keep the design pose, and write the preloads or free lengths that hold it, of springs that state one")
       ->check(OneOf("--hold", kHoldings))
       ->excludes(equilibrium);
   subcommand.add_option("-o,--output", command.output, "Write the vehicle file at rest here (.urdf)");

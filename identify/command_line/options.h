@@ -8,6 +8,8 @@ namespace fourpost {
 
 // Add the options of a subcommand; both must live until it has been parsed.
 
+/// Of a vehicle that is shown: modes, frequencies, amplitudes and channels.
+void AddShownSweep(CLI::App& subcommand, SweepText& sweep);
 void AddOptions(CLI::App& subcommand, ResponseCommand& command);
 void AddOptions(CLI::App& subcommand, ModesCommand& command);
 void AddOptions(CLI::App& subcommand, KinematicsCommand& command);

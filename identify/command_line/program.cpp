@@ -52,6 +52,7 @@ Program::Program() {
   AddKinematics();
   AddSettle();
   AddExport();
+  AddView();
   AddSimulate();
   AddRide();
   AddFit();
@@ -204,6 +205,17 @@ void Program::AddExport() {
   AddSettings(*sub, export_.set);
   sub->add_option("-o,--output", export_.output, "File for the JSON");
   sub->add_flag("--json", export_.json, "Print JSON, SI, in place of a summary");
+}
+
+void Program::AddView() {
+  CLI::App* sub = Add("view", "Write a page of a vehicle that moves, with a slider for each parameter",
+                      "  fourpost view car.urdf\n  fourpost view car.urdf --mode heave --mode roll -o car.html",
+                      [this] { return Run(view_); });
+  sub->add_option("MODEL", view_.input, "Vehicle file (.urdf) or folder of a fit")->required();
+  AddShownSweep(*sub, view_.sweep);
+  AddSettings(*sub, view_.set);
+  sub->add_option("-o,--output", view_.output, "File for the page (default: the vehicle's name, .html)");
+  sub->add_flag("--json", view_.json, "Print JSON: the file and its size");
 }
 
 void Program::AddSimulate() {

@@ -36,6 +36,7 @@ class Program {
   void AddSettle();
   void AddKinematics();
   void AddExport();
+  void AddView();
   void AddSimulate();
   void AddRide();
   void AddFit();
@@ -64,6 +65,7 @@ class Program {
   SettleCommand settle_;
   KinematicsCommand kinematics_;
   ExportCommand export_;
+  ViewCommand view_;
   SimulateCommand simulate_;
   RideCommand ride_;
   FitCommand fit_;

@@ -40,6 +40,7 @@ class Schema(ProgramTest):
             self.check("settle", "settle", SOURCE / f"urdf/{name}.urdf")
             self.check("kinematics", "kinematics", SOURCE / f"urdf/{name}.urdf", "--travel", "20mm")
         self.check("response", "response", file, "--frequencies", "1Hz:4Hz:4")
+        self.check("view", "view", file, "--frequencies", "1Hz:4Hz:4", "-o", "car.html")
         self.check("simulate", "simulate", file, "--step", "20mm", "--duration", "1s")
         self.check("simulate", "simulate", file, "--sine", "2Hz", "--duration", "1s", "--engine", "full")
         self.check("ride", "ride", file, "--road", "B", "--speed", "60km/h", "--time", "--duration", "10s")
