@@ -22,12 +22,26 @@ int HeaviestOf(const Vehicle& vehicle, const std::vector<double>& values) {
   return heaviest;
 }
 
-/// Where springs stand on the body, the foremost and the rearmost, on its centre line.
+/// Whether it moves on mounts of its own in the body: a guide of the body carries it, and no tyre.
+bool IsPartOf(const Vehicle& vehicle, int body, int link) {
+  const auto is_guided = [&](const Joint& joint) {
+    return joint.child == link && joint.parent == body && joint.type == Joint::Type::kPrismatic;
+  };
+  return std::any_of(vehicle.joints.begin(), vehicle.joints.end(), is_guided) &&
+         std::none_of(vehicle.tyres.begin(), vehicle.tyres.end(),
+                      [&](const Tyre& tyre) { return tyre.point.link == link; });
+}
+
+/// Where springs of axles stand on the body, the foremost and the rearmost, on its centre line.
 std::vector<double> StationsOn(const Vehicle& vehicle, int body) {
   std::vector<double> x;
-  for (const Spring& spring : vehicle.springs)
-    for (const Point& point : {spring.line.parent, spring.line.child})
-      if (point.link == body) x.push_back(point.xyz.x());
+  const auto add = [&](const Point& point, const Point& other) {
+    if (point.link == body && !IsPartOf(vehicle, body, other.link)) x.push_back(point.xyz.x());
+  };
+  for (const Spring& spring : vehicle.springs) {
+    add(spring.line.parent, spring.line.child);
+    add(spring.line.child, spring.line.parent);
+  }
   if (x.empty()) return {};
   const auto [least, greatest] = std::minmax_element(x.begin(), x.end());
   if (*greatest - *least < 0.1) return {*greatest};
@@ -49,91 +63,134 @@ void NameCentre(VehicleEdit& edit, const tinyxml2::XMLElement& inertial, const s
   else edit.AddChild(inertial, "<origin xyz=\"$" + parameter + others + "\"/>");
 }
 
-}  // namespace
-
 /// A part of the body that moves up and down on springs and dampers of its own, such as a power unit. The amount is its
 /// mass as a share of the body's; natural frequency and damping are then to be found. What is left of the body has its
 /// centre of mass elsewhere, for that of both together is what the axles' loads show.
-void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
-  constexpr double kDampingRatio = 0.08;
-  const Vehicle& vehicle = source.vehicle();
-  const int body = HeaviestOf(vehicle, source.values());
-  if (body < 0 || vehicle.tyres.empty()) return;
-  const Link& link = vehicle.links[static_cast<std::size_t>(body)];
-  const double whole = link.mass.At(source.values());
-  const double centre = link.com[0].At(source.values());
-  const std::vector<double> stations = StationsOn(vehicle, body);
-  // A body on one spring does not pitch, and a place that is free follows by itself.
-  const bool moves_centre = stations.size() > 1 && link.com[0].parameter < 0 && InertialOf(source.Edit(), link.name);
-  for (const double x : stations)
-    for (const double frequency : {4.0, 6.0, 9.0, 12.0, 16.0}) {
-      Addition addition{.mechanism = "part_on_mounts", .elements = {link.name}};
-      addition.words = "part of '" + link.name + "' on mounts of its own, such as a power unit";
-      const double omega = 2 * std::numbers::pi * frequency;
-      addition.values = [=](double share) {
-        const double mass = share * whole;
-        std::vector<double> numbers = {mass, mass * omega * omega, 2 * kDampingRatio * mass * omega};
-        if (moves_centre) numbers.insert(numbers.end(), {(centre - share * x) / (1 - share), 0});
-        return numbers;
-      };
-      addition.first = 0.05;
-      addition.greatest = 0.4;
-      addition.count = moves_centre ? 5 : 4;  // its place as well
-      const std::string part = source.ElementName("part", link.name, false);
-      const std::string text = "suggested: " + addition.words;
-      const std::vector<double> values = addition.values(addition.first);
-      const std::string mass = FormatNumber(AtDigits(values[0], 6));
-      std::vector<NewParameter> parameters = {{.name = source.ParameterName("m_part", {link.name}),
-                                               .dimension = kMass,
-                                               .lower = 1e-3 * whole,
-                                               .upper = 0.4 * whole,
-                                               .source = text,
-                                               .bound_to = "link[" + part + "]/mass"},
-                                              {.name = source.ParameterName("k_part", {link.name}),
-                                               .dimension = kStiffness,
-                                               .lower = 0.02 * values[1] / 4,
-                                               .upper = 40 * values[1],
-                                               .source = text},
-                                              {.name = source.ParameterName("c_part", {link.name}),
-                                               .dimension = kDamping,
-                                               .lower = 0.002 * values[2],
-                                               .upper = 100 * values[2],
-                                               .source = text}};
-      if (moves_centre) {
-        parameters.push_back({.name = source.ParameterName("x", {link.name}),
-                              .dimension = kLength,
-                              .lower = centre - std::abs(x - centre),
-                              .upper = centre + std::abs(x - centre),
-                              .source = text});
-        // Beside its mounts, so that its place is found as well.
-        const double reach = std::abs(stations.front() - stations.back()) / 2;
-        parameters.push_back({.name = source.ParameterName("x_part", {link.name}),
-                              .dimension = kLength,
-                              .lower = -reach,
-                              .upper = reach,
-                              .source = text});
-      }
-      VehicleEdit edit = source.Edit();
-      if (moves_centre) NameCentre(edit, *InertialOf(edit, link.name), parameters[3].name);
-      const std::string place = moves_centre ? "<origin xyz=\"$" + parameters[4].name + " 0 0\"/>" : "";
-      edit.Add("<link name=\"" + part + "\"><inertial>" + place + "<mass value=\"" + mass +
-               "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>");
-      edit.Add(
-          "<joint name=\"" + part + "_travel\" type=\"prismatic\"><parent link=\"" + link.name + "\"/><child link=\"" +
-          part + "\"/><origin xyz=\"" + FormatNumber(x) +
-          " 0 0\"/><axis xyz=\"0 0 1\"/><limit lower=\"-0.1\" upper=\"0.1\" effort=\"0\" velocity=\"0\"/></joint>");
-      const std::string ends = "parent=\"" + link.name + "\" child=\"" + part + "\" axis=\"0 0 1\"";
-      edit.Add("<fp:spring name=\"" + part + "_mounts\" " + ends + "><linear stiffness=\"$" + parameters[1].name +
-               "\"/></fp:spring>");
-      edit.Add("<fp:damper name=\"" + part + "_damping\" " + ends + "><linear rate=\"$" + parameters[2].name +
-               "\"/></fp:damper>");
-      for (std::size_t i = 0; i < parameters.size(); ++i) {
-        addition.parameters.push_back(parameters[i].name);
-        edit.Add(parameters[i], values[i]);
-      }
-      addition.vehicle = edit.Text();
-      additions.push_back(std::move(addition));
+class BodyAdditions {
+ public:
+  BodyAdditions(const AdditionSource& source, int body, std::vector<Addition>& additions)
+      : source_(source),
+        additions_(additions),
+        body_(source.vehicle().links[static_cast<std::size_t>(body)]),
+        whole_(body_.mass.At(source.values())),
+        centre_(body_.com[0].At(source.values())),
+        stations_(StationsOn(source.vehicle(), body)),
+        // A place that is free follows by itself.
+        moves_centre_(Pitches() && body_.com[0].parameter < 0 && InertialOf(source.Edit(), body_.name)) {
+    const std::size_t parts = PartsOf(source.vehicle(), body);
+    constexpr const char* kOrdinals[] = {"", "second ", "third "};
+    words_ = (parts < std::size(kOrdinals) ? kOrdinals[parts] : "further ") + std::string("part of '") + body_.name +
+             "' on mounts of its own, such as a power unit";
+  }
+
+  void AddAll() {
+    for (const double x : stations_)
+      for (const double frequency : {4.0, 6.0, 9.0, 12.0, 16.0, 22.0}) Add(x, frequency);
+  }
+
+ private:
+  static std::size_t PartsOf(const Vehicle& vehicle, int body) {
+    std::size_t parts = 0;
+    for (const Joint& joint : vehicle.joints) parts += IsPartOf(vehicle, body, joint.child) ? 1 : 0;
+    return parts;
+  }
+
+  /// A body on one spring does not.
+  bool Pitches() const { return stations_.size() > 1; }
+
+  void Add(double x, double frequency) {
+    constexpr double kDampingRatio = 0.08;
+    const double omega = 2 * std::numbers::pi * frequency;
+    Addition addition{.mechanism = "part_on_mounts", .elements = {body_.name}, .words = words_};
+    addition.values = [=, whole = whole_, centre = centre_, pitches = Pitches(), moves = moves_centre_](double share) {
+      const double mass = share * whole;
+      std::vector<double> numbers = {mass, mass * omega * omega, 2 * kDampingRatio * mass * omega};
+      if (pitches) numbers.push_back(0);
+      if (moves) numbers.push_back((centre - share * x) / (1 - share));
+      return numbers;
+    };
+    addition.first = 0.05;
+    addition.greatest = 0.4;
+    const std::vector<double> values = addition.values(addition.first);
+    const std::string part = source_.ElementName("part", body_.name, false);
+    const std::vector<NewParameter> parameters = ParametersOf(part, x, values);
+    addition.count = std::max(4, static_cast<int>(parameters.size()));  // its place as well
+    VehicleEdit edit = source_.Edit();
+    Write(part, x, values.front(), parameters, edit);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      addition.parameters.push_back(parameters[i].name);
+      edit.Add(parameters[i], values[i]);
     }
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  /// Its mass, rate and damping; its place beside its mounts where the body pitches, and the body's own.
+  std::vector<NewParameter> ParametersOf(const std::string& part, double x, const std::vector<double>& values) const {
+    const std::string text = "suggested: " + words_;
+    std::vector<NewParameter> parameters = {{.name = source_.ParameterName("m_part", {body_.name}),
+                                             .dimension = kMass,
+                                             .lower = 1e-3 * whole_,
+                                             .upper = 0.4 * whole_,
+                                             .source = text,
+                                             .bound_to = "link[" + part + "]/mass"},
+                                            {.name = source_.ParameterName("k_part", {body_.name}),
+                                             .dimension = kStiffness,
+                                             .lower = 0.02 * values[1] / 4,
+                                             .upper = 40 * values[1],
+                                             .source = text},
+                                            {.name = source_.ParameterName("c_part", {body_.name}),
+                                             .dimension = kDamping,
+                                             .lower = 0.002 * values[2],
+                                             .upper = 100 * values[2],
+                                             .source = text}};
+    const double reach = std::abs(stations_.front() - stations_.back()) / 2;
+    if (Pitches())
+      parameters.push_back({.name = source_.ParameterName("x_part", {body_.name}),
+                            .dimension = kLength,
+                            .lower = -reach,
+                            .upper = reach,
+                            .source = text});
+    if (moves_centre_)
+      parameters.push_back({.name = source_.ParameterName("x", {body_.name}),
+                            .dimension = kLength,
+                            .lower = centre_ - std::abs(x - centre_),
+                            .upper = centre_ + std::abs(x - centre_),
+                            .source = text});
+    return parameters;
+  }
+
+  void Write(const std::string& part, double x, double mass, const std::vector<NewParameter>& parameters,
+             VehicleEdit& edit) const {
+    if (moves_centre_) NameCentre(edit, *InertialOf(edit, body_.name), parameters[4].name);
+    const std::string place = Pitches() ? "<origin xyz=\"$" + parameters[3].name + " 0 0\"/>" : "";
+    edit.Add("<link name=\"" + part + "\"><inertial>" + place + "<mass value=\"" + FormatNumber(AtDigits(mass, 6)) +
+             "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>");
+    edit.Add("<joint name=\"" + part + "_travel\" type=\"prismatic\"><parent link=\"" + body_.name +
+             "\"/><child link=\"" + part + "\"/><origin xyz=\"" + FormatNumber(x) +
+             " 0 0\"/><axis xyz=\"0 0 1\"/><limit lower=\"-0.1\" upper=\"0.1\" effort=\"0\" velocity=\"0\"/></joint>");
+    const std::string ends = "parent=\"" + body_.name + "\" child=\"" + part + "\" axis=\"0 0 1\"";
+    edit.Add("<fp:spring name=\"" + part + "_mounts\" " + ends + "><linear stiffness=\"$" + parameters[1].name +
+             "\"/></fp:spring>");
+    edit.Add("<fp:damper name=\"" + part + "_damping\" " + ends + "><linear rate=\"$" + parameters[2].name +
+             "\"/></fp:damper>");
+  }
+
+  const AdditionSource& source_;
+  std::vector<Addition>& additions_;
+  const Link& body_;
+  double whole_;
+  double centre_;
+  std::vector<double> stations_;
+  bool moves_centre_;
+  std::string words_;
+};
+
+}  // namespace
+
+void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
+  const int body = HeaviestOf(source.vehicle(), source.values());
+  if (body >= 0 && !source.vehicle().tyres.empty()) BodyAdditions(source, body, additions).AddAll();
 }
 
 }  // namespace fourpost

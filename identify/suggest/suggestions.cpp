@@ -341,7 +341,7 @@ std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& s
     const auto bound = [&](const char* name) { return ParseQuantity(AttributeText(*element, name).value_or("")); };
     const auto lower = bound("lower");
     const auto upper = bound("upper");
-    if (!lower || !upper) continue;
+    if (!lower || !upper || lower->si < 0) continue;  // of a place the size says nothing
     const double least = lower->si > 0 ? std::max(lower->si, value / kFactor) : lower->si;
     const double most = std::min(upper->si, value * kFactor);
     // Rounding must not leave the value outside.

@@ -62,6 +62,8 @@ CASES = [
             suggest.tyres(["front_tyre", "rear_tyre"], 300)), {"friction", "mount", "tyre_damping"}),
     ("friction and a power unit", CAR, joined(suggest.power_unit(0.8, 250, 11), struts(120)),
      {"friction", "part_on_mounts"}),
+    ("two parts on mounts", CAR, joined(suggest.power_unit(1.1, 250, 12), suggest.power_unit(-2.2, 150, 7, "tank")),
+     {"part_on_mounts"}),
     ("digression and friction", CAR,
      joined(suggest.digression(["front_damper", "rear_damper"], 0.12, 0.4), struts(100)), {"digression", "friction"}),
 ]

@@ -83,14 +83,14 @@ def weak(damper, share, mirrored_from=None):
     return change
 
 
-def power_unit(x, mass, frequency):
+def power_unit(x, mass, frequency, name="unit"):
     rate = mass * (2 * math.pi * frequency) ** 2
-    return lambda text: at_the_end(text, f'''<link name="unit"><inertial><mass value="{mass}"/>
+    return lambda text: at_the_end(text, f'''<link name="{name}"><inertial><mass value="{mass}"/>
 <inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial></link>
-<joint name="unit_travel" type="prismatic"><parent link="chassis"/><child link="unit"/><origin xyz="{x} 0 0"/>
+<joint name="{name}_travel" type="prismatic"><parent link="chassis"/><child link="{name}"/><origin xyz="{x} 0 0"/>
 <axis xyz="0 0 1"/><limit lower="-0.1" upper="0.1" effort="0" velocity="0"/></joint>
-<fp:spring name="unit_mount" parent="chassis" child="unit" axis="0 0 1"><linear stiffness="{rate} N/m"/></fp:spring>
-<fp:damper name="unit_damping" parent="chassis" child="unit" axis="0 0 1">
+<fp:spring name="{name}_mount" parent="chassis" child="{name}" axis="0 0 1"><linear stiffness="{rate} N/m"/></fp:spring>
+<fp:damper name="{name}_damping" parent="chassis" child="{name}" axis="0 0 1">
 <linear rate="{0.15 * math.sqrt(rate * mass)} N*s/m"/></fp:damper>''')
 
 

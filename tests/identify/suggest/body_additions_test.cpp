@@ -43,7 +43,7 @@ double CentreOf(const Vehicle& vehicle) {
 TEST(BodyAdditions, KeepTheCentreOfMassOfBodyAndPart) {
   const Vehicle before = Read("landrover110_model1.urdf");
   const std::vector<Addition> parts = PartsOf(before);
-  ASSERT_EQ(parts.size(), 10u);
+  ASSERT_EQ(parts.size(), 12u);
   for (const Addition& one : parts) {
     Diagnostics findings;
     std::optional<Vehicle> with = ReadVehicleText(one.vehicle, before.file, findings);
@@ -60,6 +60,34 @@ TEST(BodyAdditions, KeepTheCentreOfMassOfBodyAndPart) {
       // Rounding.
       EXPECT_NEAR(CentreOf(*with), CentreOf(before), 1e-9) << one.words << " " << share;
     }
+  }
+}
+
+/// The first part names the body's centre, and its mounts hang on the body as a coil does.
+TEST(BodyAdditions, OfAFurtherPartHaveItsOwnPlace) {
+  const Vehicle before = Read("landrover110_model1.urdf");
+  Diagnostics findings;
+  const std::vector<Addition> first = PartsOf(before);
+  const std::optional<Vehicle> with_one = ReadVehicleText(first.back().vehicle, before.file, findings);
+  ASSERT_TRUE(with_one) << findings.Format();
+  const std::vector<Addition> second = PartsOf(*with_one);
+  ASSERT_EQ(second.size(), first.size());
+  for (std::size_t k = 0; k < second.size(); ++k) {
+    const Addition& one = second[k];
+    EXPECT_EQ(one.words.rfind("second part of 'chassis'", 0), 0u) << one.words;
+    EXPECT_EQ(one.Key(), first[k].Key());
+    const std::vector<std::string> names = {"m_part_chassis_2", "k_part_chassis_2", "c_part_chassis_2",
+                                            "x_part_chassis_2"};
+    EXPECT_EQ(one.parameters, names);
+    EXPECT_EQ(one.count, 4);
+    const std::optional<Vehicle> with_two = ReadVehicleText(one.vehicle, before.file, findings);
+    ASSERT_TRUE(with_two) << findings.Format();
+    const Joint& joint = with_two->joints.back();
+    const Link& part = with_two->links[static_cast<std::size_t>(joint.child)];
+    EXPECT_EQ(part.name, "part2_chassis");
+    EXPECT_EQ(part.com[0].parameter, static_cast<int>(with_two->parameters.size()) - 1);
+    // Where the axles' springs stand, as of the first.
+    EXPECT_EQ(joint.pose.translation().x(), k < second.size() / 2 ? 1.456 : -1.338);
   }
 }
 
