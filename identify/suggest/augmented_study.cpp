@@ -1,5 +1,6 @@
 #include "identify/suggest/augmented_study.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -51,10 +52,30 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
 std::optional<Eigen::VectorXd> AugmentedStudy::At(double amount, const Eigen::VectorXd& values) const {
   if (addition_.study) return OfStudy(amount, values);
   const std::vector<double> added = addition_.values ? addition_.values(amount) : std::vector<double>();
-  Eigen::VectorXd all(values.size() + static_cast<Index>(added.size()));
-  all.head(values.size()) = values;
-  for (std::size_t i = 0; i < added.size(); ++i) all[values.size() + static_cast<Index>(i)] = added[i];
+  return With(Eigen::Map<const Eigen::VectorXd>(added.data(), std::ssize(added)), values);
+}
+
+std::optional<Eigen::VectorXd> AugmentedStudy::With(const Eigen::VectorXd& added, const Eigen::VectorXd& values) const {
+  Eigen::VectorXd all(values.size() + added.size());
+  all << values, added;
   return Evaluated(*objective_, all);
+}
+
+FitVariables AugmentedStudy::AddedVariables() const { return FitVariables(Lattice(AddedAxes())); }
+
+Eigen::VectorXd AugmentedStudy::AddedAt(double amount) const {
+  const std::vector<LatticeAxis> axes = AddedAxes();
+  const std::vector<double> values = addition_.values(amount);
+  Eigen::VectorXd within(std::ssize(values));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    within[static_cast<Index>(i)] = std::clamp(values[i], axes[i].lower, axes[i].upper);
+  return within;
+}
+
+std::vector<LatticeAxis> AugmentedStudy::AddedAxes() const {
+  const Problem problem = objective_->MakeProblem();
+  const std::vector<LatticeAxis>& axes = problem.lattice.axes();
+  return {axes.end() - std::ssize(addition_.parameters), axes.end()};
 }
 
 std::size_t AugmentedStudy::PlaceOf(const std::string& name) const {

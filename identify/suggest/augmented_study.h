@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "identify/refine/fit_variables.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/study/loaded_study.h"
 #include "identify/suggest/addition.h"
@@ -30,10 +31,19 @@ class AugmentedStudy {
   /// threads at once.
   std::optional<Eigen::VectorXd> At(double amount, const Eigen::VectorXd& values) const;
 
+  /// The same for values of the addition's parameters in place of an amount.
+  std::optional<Eigen::VectorXd> With(const Eigen::VectorXd& added, const Eigen::VectorXd& values) const;
+
+  /// Of the addition's parameters.
+  FitVariables AddedVariables() const;
+  /// Their values at an amount, within their bounds.
+  Eigen::VectorXd AddedAt(double amount) const;
+
   /// Why the last evaluation that failed did.
   const std::string& failure() const { return failure_; }
 
  private:
+  std::vector<LatticeAxis> AddedAxes() const;
   std::size_t PlaceOf(const std::string& name) const;
   std::optional<Eigen::VectorXd> Evaluated(const VehicleObjective& objective, const Eigen::VectorXd& values) const;
   std::optional<Eigen::VectorXd> OfStudy(double amount, const Eigen::VectorXd& values) const;

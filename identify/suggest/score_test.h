@@ -98,8 +98,9 @@ double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStruct
 /// Change of the extended Bayesian criterion (Chen and Chen, Biometrika 95, 2008), below 0 where it is worth adding:
 ///   n ln(cost / cost before) + k ln n + 2 ln(additions).
 /// The misfit takes the place of the noise, so that errors of a model that is too simple count as noise does. The last
-/// term allows for the best of many models: an addition is one of so many, however many numbers it brings. Where the cost is below the number of residuals, what is missing is added to both
-/// costs: stated noise and model error explain the data, and no pattern within them asks for more.
+/// term allows for the best of many models: an addition is one of so many, however many numbers it brings. Where the
+/// cost is below the number of residuals, what is missing is added to both costs: stated noise and model error explain
+/// the data, and no pattern within them asks for more.
 double CriterionChange(double cost_before, double cost, Eigen::Index residuals, double effective, int parameters,
                        std::size_t additions);
 

@@ -20,6 +20,7 @@
 #include "identify/suggest/augmented_study.h"
 #include "identify/suggest/findings.h"
 #include "identify/suggest/joined_additions.h"
+#include "identify/suggest/new_numbers.h"
 #include "identify/suggest/score_test.h"
 #include "identify/suggest/vehicle_edit.h"
 #include "vehicles/multibody/simulation_error.h"
@@ -40,6 +41,8 @@ struct Trial {
   Addition addition;
   std::unique_ptr<AugmentedStudy> study;
   std::optional<ScoreTest> test;
+  /// SI, of its parameters, where they were fitted each on its own.
+  std::vector<double> values;
   /// Why there is no test.
   std::string failure;
 };
@@ -141,10 +144,14 @@ class Suggester {
     const Eigen::VectorXd x = variables_.FromValues(values_);
     return [this, &trial, x](double amount, const Eigen::VectorXd& step) -> std::optional<Eigen::VectorXd> {
       std::optional<Eigen::VectorXd> residuals = trial.study->At(amount, Moved(x, step));
-      // A channel that is taken later ends earlier, and has fewer residuals to compare.
-      if (residuals && residuals->size() != objective_.residual_count()) residuals.reset();
+      LeaveOutOtherCount(residuals);
       return residuals;
     };
+  }
+
+  /// A channel that is taken later ends earlier, and has fewer residuals to compare.
+  void LeaveOutOtherCount(std::optional<Eigen::VectorXd>& residuals) const {
+    if (residuals && residuals->size() != objective_.residual_count()) residuals.reset();
   }
 
   Eigen::VectorXd Moved(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const {
@@ -210,11 +217,29 @@ class Suggester {
     ForEachInParallel(count, threads_, [&](std::size_t i) {
       ScoreTest& test = *list[i]->test;
       const int earlier = test.evaluations;
-      if (!hooks_.IsStopped()) fourpost::Confirm(fitted, RangeOf(list[i]->addition), Residuals(*list[i]), test);
+      if (!hooks_.IsStopped()) {
+        fourpost::Confirm(fitted, RangeOf(list[i]->addition), Residuals(*list[i]), test);
+        if (test.is_confirmed && list[i]->addition.parameters.size() > 1) FitNumbersOf(fitted, *list[i]);
+      }
       evaluated[i] = test.evaluations - earlier;
     });
     for (const int number : evaluated) result_.evaluations += number;
     Sort(fitted, list);
+  }
+
+  /// What its amount ties together goes its own ways.
+  void FitNumbersOf(const FollowedCost& fitted, Trial& trial) const {
+    const FitVariables added = trial.study->AddedVariables();
+    const Eigen::VectorXd x = variables_.FromValues(values_);
+    const Eigen::VectorXd first = added.FromValues(trial.study->AddedAt(trial.test->amount));
+    const auto residuals = [&](const Eigen::VectorXd& numbers, const Eigen::VectorXd& step) {
+      std::optional<Eigen::VectorXd> there = trial.study->With(added.ToValues(numbers), Moved(x, step));
+      LeaveOutOtherCount(there);
+      return there;
+    };
+    const Eigen::VectorXd found = added.ToValues(FitNumbers(
+        fitted, {.first = first, .lower = added.lower(), .upper = added.upper(), .residuals = residuals}, *trial.test));
+    trial.values.assign(found.begin(), found.end());
   }
 
   /// The list runs from the best on.
@@ -230,7 +255,8 @@ class Suggester {
   void Describe(const FollowedCost& fitted, const std::vector<Trial*>& list) {
     for (const Trial* trial : list) {
       SuggestedAddition one{.addition = trial->addition, .amount = trial->test->amount};
-      if (one.addition.values) one.values = one.addition.values(one.amount);
+      if (!trial->values.empty()) one.values = trial->values;
+      else if (one.addition.values) one.values = one.addition.values(one.amount);
       one.cost = trial->test->cost;
       one.fall = 1 - trial->test->cost / base_.cost;
       one.criterion = CriterionOf(fitted, *trial);
