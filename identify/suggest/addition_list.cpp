@@ -11,6 +11,8 @@ namespace fourpost {
 std::vector<Addition> AllAdditions(const LoadedStudy& study, const std::vector<double>& values) {
   const AdditionSource source(study.vehicle, values);
   std::vector<Addition> additions;
+  AddMountAdditions(source, additions);
+  AddFrictionAdditions(source, additions);
   AddDamperAdditions(source, additions);
   AddSpringAdditions(source, additions);
   const Experiments& experiments = study.study.experiments;

@@ -47,6 +47,10 @@ std::string Quoted(const std::vector<std::string>& names);
 
 /// What can be added where, by the kind of the elements.
 void AddDamperAdditions(const AdditionSource& source, std::vector<Addition>& additions);
+/// Mounts in line with dampers, and their hardening.
+void AddMountAdditions(const AdditionSource& source, std::vector<Addition>& additions);
+/// Dry friction beside dampers and behind their mounts.
+void AddFrictionAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddSpringAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 /// Elastic friction beside springs.
 void AddHysteresisAdditions(const AdditionSource& source, std::vector<Addition>& additions);

@@ -71,12 +71,23 @@ void VehicleEdit::Exchange(const XMLElement& element, std::string_view old, cons
   }
 }
 
-void VehicleEdit::Remove(const XMLElement& element) {
+std::size_t VehicleEdit::End(const XMLElement& element) const {
   std::size_t end = TagEnd(element);
-  if (text_[end - 1] != '/') end = text_.find('>', end + 1);
+  if (text_[end - 1] == '/') return end + 1;
+  for (const XMLElement* child : Children(element)) end = End(*child);
+  // A comment may hold a tag.
+  while (true) {
+    const std::size_t comment = text_.find("<!--", end);
+    const std::size_t closing = text_.find("</", end);
+    if (closing < comment) return text_.find('>', closing) + 1;
+    end = text_.find("-->", comment);
+  }
+}
+
+void VehicleEdit::Remove(const XMLElement& element) {
   const std::size_t begin = PlacesOf(element).name_end - std::string_view(element.Name()).size() - 1;
   // What was put before it stays.
-  changes_.try_emplace(begin, Change{begin, ""}).first->second.end = end + 1;
+  changes_.try_emplace(begin, Change{begin, ""}).first->second.end = End(element);
 }
 
 void VehicleEdit::Rename(const XMLElement& element, const std::string& tag) {

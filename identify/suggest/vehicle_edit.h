@@ -39,7 +39,7 @@ class VehicleEdit {
   /// Replaces an attribute that it has by another one.
   void Exchange(const tinyxml2::XMLElement& element, std::string_view old, const std::string& attribute,
                 const std::string& value);
-  /// Takes out an element that has no children.
+  /// Takes out an element with all that it has, in which nothing else is changed.
   void Remove(const tinyxml2::XMLElement& element);
   /// Gives another name to an element, which has no children.
   void Rename(const tinyxml2::XMLElement& element, const std::string& tag);
@@ -63,6 +63,8 @@ class VehicleEdit {
   const TagPlaces& PlacesOf(const tinyxml2::XMLElement& element) const;
   /// Of the '>' of its start tag.
   std::size_t TagEnd(const tinyxml2::XMLElement& element) const;
+  /// Behind its end tag.
+  std::size_t End(const tinyxml2::XMLElement& element) const;
 
   const std::string& text_;
   tinyxml2::XMLDocument document_;

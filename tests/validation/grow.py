@@ -55,6 +55,11 @@ CAR = "landrover110_model1"
 CASES = [
     ("clean", "quarter_car", lambda text: text, set()),
     ("clean", CAR, lambda text: text, set()),
+    ("friction behind a mount", "quarter_car",
+     joined(with_series(["damper"], 150), suggest.friction("damper", 40)), {"friction", "mount"}),
+    ("friction behind mounts", CAR,
+     joined(with_series(["front_damper"], 900), with_series(["rear_damper"], 700),
+            suggest.friction("front_damper", 150), suggest.friction("rear_damper", 150)), {"friction", "mount"}),
     ("friction and a mount", "quarter_car",
      joined(with_series(["damper"], 150), struts(40, ["damper"])), {"friction", "mount"}),
     ("friction, mounts and tyres", CAR,

@@ -44,6 +44,22 @@ TEST_F(VehicleEdits, AddAChildAndTakeOneOut) {
                                    R"(<bilinear bump="2*$c"   rebound="$r"/>)", ""));
 }
 
+TEST_F(VehicleEdits, TakeOutAnElementWithItsChildren) {
+  edit_.Remove(*edit_.Find("fp:damper", "d"));
+  const std::size_t begin = text_.find("<fp:damper");
+  const std::string closing = "</fp:damper>";
+  const std::size_t end = text_.find(closing) + closing.size();
+  EXPECT_EQ(edit_.Text(), text_.substr(0, begin) + text_.substr(end));
+}
+
+TEST(VehicleEditOfComments, TakesNoTagInThemForAnEnd) {
+  const std::string text =
+      "<robot name=\"r\"><a name=\"x\"><!-- </a> > --><b><c/></b ><!-- </a> --></a ><a name=\"y\"/></robot>";
+  VehicleEdit edit(text);
+  edit.Remove(*edit.Find("a", "x"));
+  EXPECT_EQ(edit.Text(), "<robot name=\"r\"><a name=\"y\"/></robot>");
+}
+
 // Both at one place of the text, in either order.
 TEST(VehicleEditOfCompactText, AddsAChildWhereOneIsTakenOut) {
   const std::string text = R"(<robot name="r"><fp:damper name="d"><linear rate="1"/></fp:damper></robot>)";

@@ -1,0 +1,118 @@
+#include <string_view>
+#include <utility>
+
+#include "identify/suggest/fitted_dampers.h"
+
+namespace fourpost {
+namespace {
+
+/// Dry friction beside a damper, or behind its mount, and from the one place to the other.
+class FrictionAdditions {
+ public:
+  FrictionAdditions(const AdditionSource& source, std::vector<Addition>& additions)
+      : source_(source), dampers_(source), additions_(additions) {}
+
+  void AddAll() {
+    const auto is_beside = [&](const FittedDamper& d) { return dampers_.FrictionBeside(d) != nullptr; };
+    for (const auto& group : dampers_.GroupsOf([&](const FittedDamper& d) { return d.HasRate() && !is_beside(d); }))
+      AddFriction(group);
+    const auto has_mount = [](const FittedDamper& d) { return d.HasRate() && d.HasMount(); };
+    const auto is_behind = [](const FittedDamper& d) { return d.HasFrictionBehindMount(); };
+    for (const auto& group : dampers_.GroupsOf([&](const FittedDamper& d) { return has_mount(d) && !is_behind(d); })) {
+      AddFrictionBehindMount(group);
+      MoveFrictionBehindMount(group);
+    }
+    for (const auto& group :
+         dampers_.GroupsOf([&](const FittedDamper& d) { return has_mount(d) && is_behind(d) && !is_beside(d); }))
+      MoveFrictionBesideMount(group);
+  }
+
+ private:
+  Addition Friction(const AdditionSource::Group& group) const {
+    const double rate = dampers_.RateOf(group);
+    Addition addition{.mechanism = "friction", .elements = dampers_.NamesOf(group)};
+    addition.values = [](double force) { return std::vector{force}; };
+    addition.first = 0.02 * rate;
+    addition.greatest = rate;
+    return addition;
+  }
+
+  NewParameter FrictionForce(const Addition& friction) const {
+    return {.name = source_.ParameterName("friction", friction.elements),
+            .dimension = kForce,
+            .lower = 0,
+            .upper = friction.greatest,
+            .source = "suggested: " + friction.words};
+  }
+
+  /// Beside the damper, as an element of its own: a damper may have a mount, which friction of a strut has not.
+  void AddFriction(const AdditionSource::Group& group) {
+    Addition addition = Friction(group);
+    addition.words = "dry friction beside damper " + Quoted(addition.elements);
+    const NewParameter parameter = FrictionForce(addition);
+    VehicleEdit edit = source_.Edit();
+    for (const auto& [name, ends] : source_.EndsOf("fp:damper", addition.elements))
+      edit.Add("<fp:damper name=\"" + source_.ElementName("friction", name, addition.elements.size() == 1) + "\" " +
+               ends + "><linear rate=\"0 N*s/m\"/><friction force=\"$" + parameter.name + "\"/></fp:damper>");
+    addition.parameters = {parameter.name};
+    edit.Add(parameter, addition.first);
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  /// As of the rod's seals of a strut on a rubber top mount.
+  void AddFrictionBehindMount(const AdditionSource::Group& group) {
+    Addition addition = Friction(group);
+    addition.words = "dry friction behind the mount of damper " + Quoted(addition.elements);
+    const NewParameter parameter = FrictionForce(addition);
+    dampers_.AddAsChild(addition, parameter, "<friction force=\"$" + parameter.name + "\"/>", additions_);
+  }
+
+  /// No new number: its force stays what it is.
+  Addition Move(const AdditionSource::Group& group, const char* mechanism, const char* where) const {
+    Addition addition{.mechanism = mechanism, .elements = dampers_.NamesOf(group)};
+    addition.words = std::string("friction ") + where + " the mount of damper " + Quoted(addition.elements) +
+                     (where == std::string_view("behind") ? " in place of beside it" : " in place of behind it");
+    addition.values = [](double) { return std::vector<double>(); };
+    addition.first = addition.least = addition.greatest = 1;
+    addition.count = 0;
+    return addition;
+  }
+
+  void MoveFrictionBehindMount(const AdditionSource::Group& group) {
+    VehicleEdit edit = source_.Edit();
+    if (!dampers_.PutFrictionInside(group, edit)) return;
+    Addition addition = Move(group, "friction_behind_mount", "behind");
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  void MoveFrictionBesideMount(const AdditionSource::Group& group) {
+    Addition addition = Move(group, "friction_beside_mount", "beside");
+    const std::vector<std::string> written = source_.WrittenOf("fp:damper", addition.elements);
+    if (written.empty()) return;
+    VehicleEdit edit = source_.Edit();
+    for (const auto& [name, ends] : source_.EndsOf("fp:damper", addition.elements)) {
+      const tinyxml2::XMLElement* element = edit.Find("fp:damper", name);
+      const tinyxml2::XMLElement* law = element ? element->FirstChildElement("friction") : nullptr;
+      if (!law) return;
+      edit.Add("<fp:damper name=\"" + source_.ElementName("friction", name, group.size() == 1) + "\" " + ends +
+               "><linear rate=\"0 N*s/m\"/>" + TextOf(*law) + "</fp:damper>");
+      edit.Remove(*law);
+    }
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  const AdditionSource& source_;
+  FittedDampers dampers_;
+  std::vector<Addition>& additions_;
+};
+
+}  // namespace
+
+void AddFrictionAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
+  FrictionAdditions(source, additions).AddAll();
+}
+
+}  // namespace fourpost
