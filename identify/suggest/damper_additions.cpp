@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "identify/suggest/fitted_dampers.h"
@@ -8,6 +9,23 @@
 namespace fourpost {
 namespace {
 
+/// A damper's law with a rate at rest in each direction, as the file has it.
+struct WrittenLaw {
+  const tinyxml2::XMLElement* damper = nullptr;
+  const tinyxml2::XMLElement* element = nullptr;
+  std::string bump;
+  std::string rebound;
+  std::string bump_beyond = {};
+  std::string rebound_beyond = {};
+
+  bool HasOneRate() const { return bump == rebound && bump_beyond == rebound_beyond; }
+
+  void Replace(VehicleEdit& edit, const std::string& law) const {
+    edit.AddChild(*damper, law);
+    edit.Remove(*element);
+  }
+};
+
 /// Laws of dampers, and gas.
 class DamperAdditions {
  public:
@@ -15,13 +33,15 @@ class DamperAdditions {
       : source_(source), dampers_(source), additions_(additions) {}
 
   void AddAll() {
-    for (const auto& group : dampers_.GroupsOf([](const FittedDamper& d) {
-           return d.HasRate() && d.damper->law.kind == DashpotDescription::Kind::kBilinear;
-         })) {
+    using Kind = DashpotDescription::Kind;
+    const auto is = [](const FittedDamper& d, Kind kind) { return d.HasRate() && d.damper->law.kind == kind; };
+    for (const auto& group : dampers_.GroupsOf([&](const FittedDamper& d) { return is(d, Kind::kBilinear); })) {
       for (const double knee : {0.05, 0.1, 0.2, 0.4})
         for (const Sides sides : {Sides::kBoth, Sides::kBump, Sides::kRebound}) AddDigression(group, knee, sides);
-      AddBilinear(group);
+      AddOwnRates(group);
     }
+    for (const auto& group : dampers_.GroupsOf([&](const FittedDamper& d) { return is(d, Kind::kDigressive); }))
+      AddOwnRates(group);
     for (const auto& group :
          dampers_.GroupsOf([&](const FittedDamper& d) { return !d.damper->hydraulic && !HasGas(d); }))
       AddGas(group);
@@ -30,6 +50,26 @@ class DamperAdditions {
  private:
   enum class Sides { kBoth, kBump, kRebound };
 
+  /// Of the dampers that are to be written; none where one has another law, or an earlier spelling.
+  std::vector<WrittenLaw> LawsOf(const std::vector<std::string>& dampers, const VehicleEdit& edit) const {
+    std::vector<WrittenLaw> laws;
+    for (const std::string& name : source_.WrittenOf("fp:damper", dampers)) {
+      WrittenLaw law{.damper = edit.Find("fp:damper", name)};
+      if (!law.damper) return {};
+      for (const char* tag : {"linear", "bilinear", "digressive"})
+        if (!law.element) law.element = law.damper->FirstChildElement(tag);
+      if (!law.element) return {};
+      const auto text = [&](const char* attribute) { return AttributeText(*law.element, attribute).value_or(""); };
+      law.bump = text(AttributeText(*law.element, "rate") ? "rate" : "bump");
+      law.rebound = text(AttributeText(*law.element, "rate") ? "rate" : "rebound");
+      law.bump_beyond = text("bump_beyond");
+      law.rebound_beyond = text("rebound_beyond");
+      if (law.bump.empty() || law.rebound.empty()) return {};
+      laws.push_back(std::move(law));
+    }
+    return laws;
+  }
+
   bool HasGas(const FittedDamper& one) const {
     const std::vector<Spring>& springs = source_.vehicle().springs;
     return std::any_of(springs.begin(), springs.end(), [&](const Spring& spring) {
@@ -37,56 +77,49 @@ class DamperAdditions {
     });
   }
 
-  /// Slopes beyond the knees are 1 - amount times those before them.
+  /// Slopes beyond the knees are 1 - amount times those before them. Where both directions share a rate they share the
+  /// slope as well: a knee of one direction would imitate rates of their own.
   void AddDigression(const AdditionSource::Group& group, double knee, Sides sides) {
     const FittedDamper& one = dampers_.at(group.front());
     Addition addition{.mechanism = "digression", .elements = dampers_.NamesOf(group)};
-    const std::vector<std::string> written = source_.WrittenOf("fp:damper", addition.elements);
-    if (written.empty()) return;
     const char* where = sides == Sides::kBoth ? "" : sides == Sides::kBump ? " in bump" : " in rebound";
     addition.words = "knee" + std::string(where) + " in the law of damper " + Quoted(addition.elements);
-    const double bump = one.bump;
-    const double rebound = one.rebound;
-    std::vector<double> before;
-    std::vector<std::string> names;
     VehicleEdit edit = source_.Edit();
-    const std::string source = "suggested: " + addition.words;
-    const std::string at = source_.ParameterName("v_knee", addition.elements);
+    const std::vector<WrittenLaw> laws = LawsOf(addition.elements, edit);
+    if (laws.empty()) return;
+    const bool is_shared = laws.front().HasOneRate();
+    if (is_shared && sides != Sides::kBoth) return;
+    const std::string text = "suggested: " + addition.words;
+    std::vector<double> before;
     const auto slope = [&](const char* side, double rate) {
-      names.push_back(source_.ParameterName(std::string("c_beyond_") + side, addition.elements));
+      addition.parameters.push_back(source_.ParameterName(std::string("c_beyond") + side, addition.elements));
       before.push_back(rate);
-      edit.Add({.name = names.back(), .dimension = kDamping, .lower = 0.02 * rate, .upper = 4 * rate, .source = source},
+      edit.Add({.name = addition.parameters.back(),
+                .dimension = kDamping,
+                .lower = 0.02 * rate,
+                .upper = 4 * rate,
+                .source = text},
                0.5 * rate);
-      return '$' + names.back();
+      return '$' + addition.parameters.back();
     };
-    const std::string bump_beyond = sides == Sides::kRebound ? "" : slope("bump", bump);
-    const std::string rebound_beyond = sides == Sides::kBump ? "" : slope("rebound", rebound);
-    edit.Add({.name = at, .dimension = kVelocity, .lower = knee / 4, .upper = 4 * knee, .source = source}, knee);
-    for (const std::string& name : written) {
-      const tinyxml2::XMLElement* element = edit.Find("fp:damper", name);
-      if (!element) return;
-      const tinyxml2::XMLElement* law = element->FirstChildElement("bilinear");
-      const bool is_linear = !law;
-      if (is_linear) law = element->FirstChildElement("linear");
-      if (!law) return;
-      const std::string bump_text = AttributeText(*law, is_linear ? "rate" : "bump").value_or("");
-      const std::string rebound_text = AttributeText(*law, is_linear ? "rate" : "rebound").value_or("");
-      if (bump_text.empty() || rebound_text.empty()) return;  // an earlier spelling
-      const std::string knees = "\" bump_knee=\"$" + at + "\" rebound_knee=\"$" + at;
-      edit.AddChild(*element, "<digressive bump=\"" + bump_text + "\" rebound=\"" + rebound_text + knees +
-                                  "\" bump_beyond=\"" + (bump_beyond.empty() ? bump_text : bump_beyond) +
-                                  "\" rebound_beyond=\"" + (rebound_beyond.empty() ? rebound_text : rebound_beyond) +
-                                  "\"/>");
-      edit.Remove(*law);
-    }
+    const std::string bump_beyond = sides == Sides::kRebound ? "" : slope(is_shared ? "" : "_bump", one.bump);
+    const std::string rebound_beyond = sides == Sides::kBump ? ""
+                                       : is_shared           ? bump_beyond
+                                                             : slope("_rebound", one.rebound);
+    const std::string at = source_.ParameterName("v_knee", addition.elements);
+    edit.Add({.name = at, .dimension = kVelocity, .lower = knee / 4, .upper = 4 * knee, .source = text}, knee);
+    addition.parameters.push_back(at);
+    for (const WrittenLaw& law : laws)
+      law.Replace(edit, "<digressive bump=\"" + law.bump + "\" rebound=\"" + law.rebound + "\" bump_knee=\"$" + at +
+                            "\" rebound_knee=\"$" + at + "\" bump_beyond=\"" +
+                            (bump_beyond.empty() ? law.bump : bump_beyond) + "\" rebound_beyond=\"" +
+                            (rebound_beyond.empty() ? law.rebound : rebound_beyond) + "\"/>");
     addition.values = [before, knee](double amount) {
       std::vector<double> values;
       for (const double rate : before) values.push_back((1 - amount) * rate);
       values.push_back(knee);
       return values;
     };
-    addition.parameters = names;
-    addition.parameters.push_back(at);
     addition.first = 0.5;
     addition.least = -2.5;
     addition.greatest = 0.97;
@@ -95,33 +128,44 @@ class DamperAdditions {
     additions_.push_back(std::move(addition));
   }
 
-  /// Bump and rebound of their own: the amount is the logarithm of their ratio.
-  void AddBilinear(const AdditionSource::Group& group) {
+  /// Bump and rebound of their own where they share a rate: the amount is the logarithm of their ratio.
+  void AddOwnRates(const AdditionSource::Group& group) {
     Addition addition{.mechanism = "bump_rebound", .elements = dampers_.NamesOf(group)};
-    const std::vector<std::string> written = source_.WrittenOf("fp:damper", addition.elements);
-    if (written.empty()) return;
     addition.words = "rates of bump and rebound of their own in damper " + Quoted(addition.elements);
-    const double rate = dampers_.RateOf(group);
-    const NewParameter parameter{.name = source_.ParameterName("c_rebound", addition.elements),
-                                 .dimension = kDamping,
-                                 .lower = 0.05 * rate,
-                                 .upper = 20 * rate,
-                                 .source = "suggested: " + addition.words};
     VehicleEdit edit = source_.Edit();
-    for (const std::string& name : written) {
-      const tinyxml2::XMLElement* element = edit.Find("fp:damper", name);
-      const tinyxml2::XMLElement* law = element ? element->FirstChildElement("linear") : nullptr;
-      if (!law) return;
-      const std::string text = AttributeText(*law, "rate").value_or("");
-      edit.AddChild(*element, "<bilinear bump=\"" + text + "\" rebound=\"$" + parameter.name + "\"/>");
-      edit.Remove(*law);
-    }
-    edit.Add(parameter, 1.5 * rate);
-    addition.parameters = {parameter.name};
-    addition.values = [rate](double amount) { return std::vector{rate * std::exp(amount)}; };
+    const std::vector<WrittenLaw> laws = LawsOf(addition.elements, edit);
+    if (laws.empty() || !std::all_of(laws.begin(), laws.end(), std::mem_fn(&WrittenLaw::HasOneRate))) return;
+    std::vector<double> shared;
+    const auto own = [&](const char* name, double rate) {
+      addition.parameters.push_back(source_.ParameterName(name, addition.elements));
+      shared.push_back(rate);
+      edit.Add({.name = addition.parameters.back(),
+                .dimension = kDamping,
+                .lower = 0.05 * rate,
+                .upper = 20 * rate,
+                .source = "suggested: " + addition.words},
+               1.5 * rate);
+      return '$' + addition.parameters.back();
+    };
+    const DashpotDescription& description = dampers_.at(group.front()).damper->law;
+    const std::string rebound = own("c_rebound", dampers_.RateOf(group));
+    const bool has_knee = description.kind == DashpotDescription::Kind::kDigressive;
+    const std::string beyond =
+        has_knee ? own("c_beyond_rebound", description.rebound_knee.rate.At(source_.values())) : "";
+    for (const WrittenLaw& law : laws)
+      if (has_knee) {
+        edit.Set(*law.element, "rebound", rebound);
+        edit.Set(*law.element, "rebound_beyond", beyond);
+      } else law.Replace(edit, "<bilinear bump=\"" + law.bump + "\" rebound=\"" + rebound + "\"/>");
+    addition.values = [shared](double amount) {
+      std::vector<double> values;
+      for (const double rate : shared) values.push_back(rate * std::exp(amount));
+      return values;
+    };
     addition.first = 0.4;
     addition.least = -3;
     addition.greatest = 3;
+    addition.count = static_cast<int>(addition.parameters.size());
     addition.vehicle = edit.Text();
     additions_.push_back(std::move(addition));
   }

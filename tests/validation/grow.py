@@ -51,10 +51,13 @@ def joined(*changes):
 
 
 CAR = "landrover110_model1"
-# name, vehicle, what the truth has, mechanisms that are right
+# name, vehicle, what the truth has, mechanisms that are right, where it is another file what the fitted vehicle has
 CASES = [
     ("clean", "quarter_car", lambda text: text, set()),
     ("clean", CAR, lambda text: text, set()),
+    ("friction and two rates", "quarter_car", joined(struts(40, ["damper"]), suggest.rebound_apart),
+     {"friction", "bump_rebound"}, suggest.one_rate),
+    ("friction and two rates", CAR, struts(120), {"friction", "bump_rebound"}, suggest.one_rate),
     ("friction behind a mount", "quarter_car",
      joined(with_series(["damper"], 150), suggest.friction("damper", 40)), {"friction", "mount"}),
     ("friction behind mounts", CAR,
@@ -116,13 +119,13 @@ def main():
     out = csv.writer(sys.stdout)
     out.writerow("case,vehicle,misfit before,misfit,road before %,road %,parameters before: median %,largest %,"
                  "median %,largest %,added,not planted,taken back,end".split(","))
-    for name, vehicle, planted, right in CASES:
+    for name, vehicle, planted, right, *fitted in CASES:
         if options.only not in f"{name} {vehicle}":
             continue
         with tempfile.TemporaryDirectory() as temporary:
             folder = Path(options.keep or temporary) / f"{name} {vehicle}".replace(" ", "_").replace(",", "")
             folder.mkdir(parents=True, exist_ok=True)
-            suggest.four_post(options.program, folder, (name, vehicle, planted, None, "", set(), []),
+            suggest.four_post(options.program, folder, (name, vehicle, planted, fitted[0] if fitted else None, "", set(), []),
                               random.Random(f"{name} {vehicle}"))
             hold_back_a_road(options.program, folder)
             run(options.program, "fit", folder / "study.yaml", "-o", folder / "grown", "--grow", "--accept-implausible",

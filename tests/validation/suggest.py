@@ -108,6 +108,19 @@ def digression(dampers, knee, share):
     return change
 
 
+def one_rate(text):
+    """The first damper with the rate of bump in both directions."""
+    name, law, bump, rebound = re.search(r'<fp:damper name="(\w+)"[^>]*>\s*(<bilinear bump="([^"]*)" rebound="[^$"]*\$(\w+)"/>)',
+                                         text).groups()
+    text = text.replace(law, f'<linear rate="{bump}"/>', 1)
+    return re.sub(rf'<fp:parameter name="{rebound}"[^>]*/>', "", text)
+
+
+def rebound_apart(text):
+    """Rebound harder than bump, as the Land Rover's is."""
+    return re.sub(r'(name="c_rebound" value=)"1500', r'\1"2600', text)
+
+
 def lifting(is_true):
     """A tyre lifts off unless the file says otherwise."""
     return lambda text: text if is_true else re.sub(r"(<fp:tyre )", r'\1liftoff="false" ', text)
@@ -148,6 +161,8 @@ CASES = [
     ("digression", "quarter_car", digression(["damper"], 0.12, 0.5), None, "digression", {"damper"}, []),
     ("digression", "landrover110_model3", digression(["damper_RL", "damper_RR"], 0.1, 0.5), None, "digression",
      {"damper_RL", "damper_RR"}, []),
+    ("bump_rebound", "quarter_car", rebound_apart, one_rate, "bump_rebound", {"damper"}, []),
+    ("bump_rebound", "landrover110_model1", lambda text: text, one_rate, "bump_rebound", {"front_damper"}, []),
     ("liftoff", "quarter_car", lifting(True), lifting(False), "liftoff", {"tyre"}, HARDER),
     ("liftoff", "landrover110_model1", lifting(True), lifting(False), "liftoff", {"front_tyre", "rear_tyre"}, HARD),
     ("bush", "landrover110_rigid", soft_joint("rod", "panhard", '<linear stiffness="1500 kN/m"/>', "spring"), None, "bush",

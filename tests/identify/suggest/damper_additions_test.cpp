@@ -1,0 +1,105 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "identify/suggest/addition_source.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+/// The quarter car with another law.
+Vehicle QuarterCar(const std::string& law) {
+  const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf/quarter_car.urdf";
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::string changed = text.str();
+  const std::string bilinear = R"(<bilinear bump="$c_bump" rebound="$c_rebound"/>)";
+  changed.replace(changed.find(bilinear), bilinear.size(), law);
+  Diagnostics findings;
+  std::optional<Vehicle> vehicle = ReadVehicleText(changed, file, findings);
+  EXPECT_TRUE(vehicle) << findings.Format();
+  return *vehicle;
+}
+
+std::vector<Addition> Of(const Vehicle& vehicle, const std::string& mechanism) {
+  std::vector<Addition> all;
+  AddDamperAdditions(AdditionSource(vehicle, vehicle.ParameterValues()), all);
+  std::vector<Addition> found;
+  for (Addition& one : all)
+    if (one.mechanism == mechanism) found.push_back(std::move(one));
+  return found;
+}
+
+/// With the addition's parameters at an amount.
+Vehicle With(const Vehicle& vehicle, const Addition& addition, double amount) {
+  Diagnostics findings;
+  std::optional<Vehicle> with = ReadVehicleText(addition.vehicle, vehicle.file, findings);
+  EXPECT_TRUE(with) << findings.Format();
+  const std::vector<double> values = addition.values(amount);
+  EXPECT_EQ(values.size(), addition.parameters.size());
+  for (Parameter& parameter : with->parameters)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (parameter.name == addition.parameters[i]) parameter.value = values[i];
+  return *with;
+}
+
+double ForceOf(const Vehicle& vehicle, double speed) {
+  return vehicle.dampers.at(0).law.At(vehicle.ParameterValues()).Force(speed);
+}
+
+constexpr const char* kLinear = R"(<linear rate="$c_bump"/>)";
+constexpr const char* kShared = R"(<bilinear bump="$c_bump" rebound="$c_bump"/>)";
+constexpr const char* kOwn = R"(<bilinear bump="$c_bump" rebound="$c_rebound"/>)";
+
+// A knee of one direction at a low speed is another rate of that direction, with a number more.
+TEST(DamperAdditions, HaveKneesOfOneDirectionWhereItsRateIsItsOwn) {
+  EXPECT_EQ(Of(QuarterCar(kOwn), "digression").size(), 12u);
+  for (const char* law : {kLinear, kShared}) {
+    const Vehicle car = QuarterCar(law);
+    const std::vector<Addition> found = Of(car, "digression");
+    ASSERT_EQ(found.size(), 4u) << law;
+    for (const Addition& one : found) {
+      EXPECT_EQ(one.count, 2);
+      const Vehicle with = With(car, one, 0.6);
+      for (const double speed : {0.02, 0.5}) EXPECT_DOUBLE_EQ(ForceOf(with, speed), -ForceOf(with, -speed));
+      EXPECT_LT(ForceOf(with, 1), 0.8 * ForceOf(car, 1));
+    }
+  }
+}
+
+TEST(DamperAdditions, GiveBumpAndReboundRatesOfTheirOwn) {
+  EXPECT_TRUE(Of(QuarterCar(kOwn), "bump_rebound").empty());
+  for (const char* law : {kLinear, kShared}) {
+    const Vehicle car = QuarterCar(law);
+    const std::vector<Addition> found = Of(car, "bump_rebound");
+    ASSERT_EQ(found.size(), 1u) << law;
+    const Vehicle with = With(car, found[0], std::log(2.0));
+    EXPECT_DOUBLE_EQ(ForceOf(with, -0.3), ForceOf(car, -0.3));
+    EXPECT_DOUBLE_EQ(ForceOf(with, 0.3), 2 * ForceOf(car, 0.3));
+  }
+}
+
+// As growth goes on from a knee that both directions share.
+TEST(DamperAdditions, GiveThemBeyondASharedKneeAsWell) {
+  const Vehicle linear = QuarterCar(kLinear);
+  const Vehicle car = With(linear, Of(linear, "digression").at(1), 0.5);
+  const std::vector<Addition> found = Of(car, "bump_rebound");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].count, 2);
+  const Vehicle with = With(car, found[0], std::log(2.0));
+  for (const double speed : {0.05, 0.5}) {
+    EXPECT_DOUBLE_EQ(ForceOf(with, -speed), ForceOf(car, -speed));
+    EXPECT_DOUBLE_EQ(ForceOf(with, speed), 2 * ForceOf(car, speed));
+  }
+  EXPECT_TRUE(Of(with, "bump_rebound").empty());
+}
+
+}  // namespace
+}  // namespace fourpost
