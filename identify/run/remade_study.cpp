@@ -41,15 +41,13 @@ class Remaker {
       if (known != values_.end()) value = known->second;
       free[static_cast<Eigen::Index>(i)] = value;
     }
-    for (Addition& one : AllAdditions(study, all)) {
-      if (one.mechanism != wanted.mechanism || one.elements != wanted.elements || one.variant != wanted.variant)
-        continue;
-      SuggestedAddition made{.addition = std::move(one), .amount = wanted.amount};
-      SetValues(wanted, made);
-      Write(Apply(study, free, made, folder_));
-      return true;
-    }
-    return false;
+    std::vector<Addition> offered = AllAdditions(study, all);
+    const std::optional<std::size_t> place = PlaceOf(wanted, offered);
+    if (!place) return false;
+    SuggestedAddition made{.addition = std::move(offered[*place]), .amount = wanted.amount};
+    SetValues(wanted, made);
+    Write(Apply(study, free, made, folder_));
+    return true;
   }
 
   /// Its parameters may have other names than before.
@@ -81,6 +79,20 @@ class Remaker {
 };
 
 }  // namespace
+
+std::optional<std::size_t> PlaceOf(const GrowthAddition& wanted, const std::vector<Addition>& offered) {
+  std::optional<std::size_t> best;
+  int most = -1;
+  for (std::size_t i = 0; i < offered.size(); ++i) {
+    const Addition& one = offered[i];
+    if (one.mechanism != wanted.mechanism || one.elements != wanted.elements) continue;
+    const int alike = (one.words == wanted.words ? 2 : 0) + (one.variant == wanted.variant ? 1 : 0);
+    if (alike <= most) continue;
+    most = alike;
+    best = i;
+  }
+  return best;
+}
 
 bool RemakeStudy(const RemakeRequest& request, const std::filesystem::path& folder) {
   return Remaker(request, folder).Run();
