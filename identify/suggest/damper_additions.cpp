@@ -38,7 +38,9 @@ class DamperAdditions {
     for (const auto& group : dampers_.GroupsOf([&](const FittedDamper& d) { return is(d, Kind::kBilinear); })) {
       for (const double knee : {0.05, 0.1, 0.2, 0.4})
         for (const Sides sides : {Sides::kBoth, Sides::kBump, Sides::kRebound}) AddDigression(group, knee, sides);
+      AddSaturation(group);
       AddOwnRates(group);
+      AddSmoothPassage(group);
     }
     for (const auto& group : dampers_.GroupsOf([&](const FittedDamper& d) { return is(d, Kind::kDigressive); }))
       AddOwnRates(group);
@@ -124,6 +126,66 @@ class DamperAdditions {
     addition.least = -2.5;
     addition.greatest = 0.97;
     addition.count = static_cast<int>(addition.parameters.size());
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  /// A force that levels off with no knee: one of the alternatives for digression. The amount is 1 / speed.
+  void AddSaturation(const AdditionSource::Group& group) {
+    constexpr double kLeast_mps = 0.02;
+    constexpr double kMost_mps = 100;
+    Addition addition{.mechanism = "digression", .elements = dampers_.NamesOf(group)};
+    addition.words = "force that levels off in damper " + Quoted(addition.elements);
+    VehicleEdit edit = source_.Edit();
+    const std::vector<WrittenLaw> laws = LawsOf(addition.elements, edit);
+    if (laws.empty()) return;
+    addition.first = 1;
+    const auto speed = [&](const char* side) {
+      addition.parameters.push_back(source_.ParameterName(std::string("v_half") + side, addition.elements));
+      edit.Add({.name = addition.parameters.back(),
+                .dimension = kVelocity,
+                .lower = kLeast_mps,
+                .upper = kMost_mps,
+                .source = "suggested: " + addition.words},
+               1 / addition.first);
+      return '$' + addition.parameters.back();
+    };
+    const bool is_shared = laws.front().HasOneRate();
+    const std::string bump = speed(is_shared ? "" : "_bump");
+    const std::string rebound = is_shared ? bump : speed("_rebound");
+    for (const WrittenLaw& law : laws)
+      law.Replace(edit, "<saturating bump=\"" + law.bump + "\" rebound=\"" + law.rebound + "\" bump_speed=\"" + bump +
+                            "\" rebound_speed=\"" + rebound + "\"/>");
+    const std::size_t count = addition.parameters.size();
+    addition.values = [count](double amount) { return std::vector(count, 1 / amount); };
+    addition.least = 1 / kMost_mps;
+    addition.greatest = 1 / kLeast_mps;
+    addition.count = static_cast<int>(count);
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  /// Bump and rebound that pass into each other over a speed, the amount, and not at rest.
+  void AddSmoothPassage(const AdditionSource::Group& group) {
+    Addition addition{.mechanism = "smooth_passage", .elements = dampers_.NamesOf(group)};
+    addition.words = "smooth passage from bump to rebound in damper " + Quoted(addition.elements);
+    VehicleEdit edit = source_.Edit();
+    const std::vector<WrittenLaw> laws = LawsOf(addition.elements, edit);
+    if (laws.empty() || laws.front().HasOneRate()) return;
+    addition.first = 0.03;
+    addition.least = 1e-3;
+    addition.greatest = 2;
+    addition.parameters = {source_.ParameterName("v_passage", addition.elements)};
+    edit.Add({.name = addition.parameters.front(),
+              .dimension = kVelocity,
+              .lower = addition.least,
+              .upper = addition.greatest,
+              .source = "suggested: " + addition.words},
+             addition.first);
+    for (const WrittenLaw& law : laws)
+      law.Replace(edit, "<smooth bump=\"" + law.bump + "\" rebound=\"" + law.rebound + "\" speed=\"$" +
+                            addition.parameters.front() + "\"/>");
+    addition.values = [](double speed) { return std::vector{speed}; };
     addition.vehicle = edit.Text();
     additions_.push_back(std::move(addition));
   }

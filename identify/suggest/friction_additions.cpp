@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -25,6 +26,10 @@ class FrictionAdditions {
     for (const auto& group :
          dampers_.GroupsOf([&](const FittedDamper& d) { return has_mount(d) && is_behind(d) && !is_beside(d); }))
       MoveFrictionBesideMount(group);
+    for (const auto& group : dampers_.GroupsOf([](const FittedDamper& d) {
+           return d.damper->law.friction && d.damper->law.friction->speed.parameter < 0;
+         }))
+      AddSpeed(group);
   }
 
  private:
@@ -100,6 +105,38 @@ class FrictionAdditions {
                "><linear rate=\"0 N*s/m\"/>" + TextOf(*law) + "</fp:damper>");
       edit.Remove(*law);
     }
+    addition.vehicle = edit.Text();
+    additions_.push_back(std::move(addition));
+  }
+
+  /// Over which it passes from one sign to the other. The amount is the logarithm of its ratio to the speed now.
+  void AddSpeed(const AdditionSource::Group& group) {
+    // Below some tenths of a millimetre per second it is dry friction of any speed.
+    constexpr double kLeast = -2;
+    constexpr double kMost = 4;
+    const double speed = dampers_.at(group.front()).damper->law.friction->speed.At(source_.values());
+    Addition addition{.mechanism = "friction_speed", .elements = dampers_.NamesOf(group)};
+    addition.words = "transition speed of friction in damper " + Quoted(addition.elements);
+    const std::vector<std::string> written = source_.WrittenOf("fp:damper", addition.elements);
+    if (written.empty()) return;
+    addition.values = [speed](double amount) { return std::vector{speed * std::exp(amount)}; };
+    addition.first = 0.7;
+    addition.least = kLeast;
+    addition.greatest = kMost;
+    const NewParameter parameter{.name = source_.ParameterName("v_friction", addition.elements),
+                                 .dimension = kVelocity,
+                                 .lower = speed * std::exp(kLeast),
+                                 .upper = speed * std::exp(kMost),
+                                 .source = "suggested: " + addition.words};
+    VehicleEdit edit = source_.Edit();
+    for (const std::string& name : written) {
+      const tinyxml2::XMLElement* element = edit.Find("fp:damper", name);
+      const tinyxml2::XMLElement* law = element ? element->FirstChildElement("friction") : nullptr;
+      if (!law) return;
+      edit.Set(*law, "speed", '$' + parameter.name);
+    }
+    addition.parameters = {parameter.name};
+    edit.Add(parameter, addition.values(addition.first).front());
     addition.vehicle = edit.Text();
     additions_.push_back(std::move(addition));
   }

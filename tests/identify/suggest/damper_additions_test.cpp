@@ -60,11 +60,12 @@ constexpr const char* kOwn = R"(<bilinear bump="$c_bump" rebound="$c_rebound"/>)
 
 // A knee of one direction at a low speed is another rate of that direction, with a number more.
 TEST(DamperAdditions, HaveKneesOfOneDirectionWhereItsRateIsItsOwn) {
-  EXPECT_EQ(Of(QuarterCar(kOwn), "digression").size(), 12u);
+  EXPECT_EQ(Of(QuarterCar(kOwn), "digression").size(), 13u);
   for (const char* law : {kLinear, kShared}) {
     const Vehicle car = QuarterCar(law);
-    const std::vector<Addition> found = Of(car, "digression");
-    ASSERT_EQ(found.size(), 4u) << law;
+    std::vector<Addition> found = Of(car, "digression");
+    ASSERT_EQ(found.size(), 5u) << law;
+    found.pop_back();  // levels off without a knee
     for (const Addition& one : found) {
       EXPECT_EQ(one.count, 2);
       const Vehicle with = With(car, one, 0.6);
@@ -72,6 +73,30 @@ TEST(DamperAdditions, HaveKneesOfOneDirectionWhereItsRateIsItsOwn) {
       EXPECT_LT(ForceOf(with, 1), 0.8 * ForceOf(car, 1));
     }
   }
+}
+
+// F = c v / (1 + |v| / speed) is half of c v at the speed.
+TEST(DamperAdditions, LetTheForceLevelOff) {
+  for (const char* law : {kLinear, kOwn}) {
+    const Vehicle car = QuarterCar(law);
+    const Addition one = Of(car, "digression").back();
+    EXPECT_EQ(one.count, law == kLinear ? 1 : 2);
+    const Vehicle with = With(car, one, 2);
+    for (const double speed : {-0.5, 0.5}) EXPECT_DOUBLE_EQ(ForceOf(with, speed), ForceOf(car, speed) / 2);
+  }
+}
+
+// Far above the speed the rates are those of bump and rebound, and nothing is changed where they are one.
+TEST(DamperAdditions, LetRatesPassIntoEachOther) {
+  EXPECT_TRUE(Of(QuarterCar(kLinear), "smooth_passage").empty());
+  const Vehicle car = QuarterCar(R"(<bilinear bump="$c_bump" rebound="2*$c_rebound"/>)");
+  const std::vector<Addition> found = Of(car, "smooth_passage");
+  ASSERT_EQ(found.size(), 1u);
+  const Vehicle with = With(car, found[0], 0.01);
+  // 1 - tanh(100) is below rounding.
+  for (const double speed : {-1.0, 1.0}) EXPECT_DOUBLE_EQ(ForceOf(with, speed), ForceOf(car, speed));
+  const double mean = (ForceOf(car, 1) - ForceOf(car, -1)) / 2;
+  EXPECT_NEAR(ForceOf(with, 1e-6), mean * 1e-6, 1e-3 * mean * 1e-6);  // tanh(1e-4)
 }
 
 TEST(DamperAdditions, GiveBumpAndReboundRatesOfTheirOwn) {

@@ -108,6 +108,18 @@ TEST(FrictionAdditions, OfFrictionBehindAMountStandBesideIt) {
   EXPECT_THAT(found[0].words, testing::HasSubstr("beside"));
 }
 
+TEST(FrictionAdditions, FreeTheSpeedOverWhichItChangesSign) {
+  EXPECT_TRUE(Of(QuarterCar(kMount), "friction_speed").empty());
+  const Vehicle car = QuarterCar(kMount, kBeside);
+  const std::vector<Addition> found = Of(car, "friction_speed");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].elements, std::vector<std::string>{"seals"});
+  EXPECT_DOUBLE_EQ(found[0].values(0).at(0), 0.003);
+  const Vehicle with = With(car, found[0]);
+  EXPECT_EQ(with.dampers[1].law.friction->speed.parameter, static_cast<int>(with.parameters.size()) - 1);
+  EXPECT_TRUE(Of(with, "friction_speed").empty());
+}
+
 TEST(MountAdditions, TakeFrictionAlong) {
   const Vehicle car = QuarterCar("", kBeside);
   const std::vector<Addition> found = Of(car, "mount");
