@@ -22,6 +22,11 @@ Vehicle QuarterCar(const std::string& law) {
   std::string changed = text.str();
   const std::string bilinear = R"(<bilinear bump="$c_bump" rebound="$c_rebound"/>)";
   changed.replace(changed.find(bilinear), bilinear.size(), law);
+  if (law.find("$c_rebound") == std::string::npos) {
+    // A parameter that nothing uses is an error.
+    const std::size_t begin = changed.find("<fp:parameter name=\"c_rebound\"");
+    changed.erase(begin, changed.find("/>", begin) + 2 - begin);
+  }
   Diagnostics findings;
   std::optional<Vehicle> vehicle = ReadVehicleText(changed, file, findings);
   EXPECT_TRUE(vehicle) << findings.Format();
