@@ -8,6 +8,7 @@ from conftest import SOURCE
 def test_package_is_strictly_typed(tmp_path):
     (tmp_path / "mypy.ini").write_text("[mypy]\nstrict = True\n[mypy-distributed.*,cloudpickle.*,yaml.*]\n"
                                        "ignore_missing_imports = True\nfollow_imports = skip\n"
+                                       "follow_imports_for_stubs = True\n"
                                        "[mypy-fourpost_batch.dask_plant]\ndisallow_subclassing_any = False\n")
     outcome = subprocess.run([sys.executable, "-m", "mypy", "--no-incremental", SOURCE / "python/fourpost_batch"],
                              cwd=tmp_path, capture_output=True, text=True)
