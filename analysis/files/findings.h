@@ -155,7 +155,7 @@ inline const Finding kTimeDoesNotRise{"time-does-not-rise", Severity::kError,
 inline const Finding kTimeStepUneven{
     "time-step-uneven", Severity::kError,
     "time goes from {} to {}, but the usual step is {}, and samples must be evenly spaced",
-    "fill the gap or cut the recording there"};
+    "fill the gap or cut the recording there; or state 'bridge' for gaps and 'resample' for steps that jitter"};
 inline const Finding kTimeDrifts{"time-drifts", Severity::kError,
                                  "time is {} off even steps of {} here, and samples must be evenly spaced",
                                  "resample the recording at one rate"};

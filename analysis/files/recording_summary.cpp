@@ -36,8 +36,9 @@ std::optional<std::size_t> GuessedTimes(const RecordedTable& table) {
   std::optional<std::size_t> guessed;
   for (std::size_t column = 0; column < table.names().size(); ++column) {
     if (!table.unit(column).empty() || !RisesEvenly(table, column)) continue;
-    if (guessed) return std::nullopt;
-    guessed = column;
+    // Of copies one will do.
+    if (guessed && Values(table, column) != Values(table, *guessed)) return std::nullopt;
+    if (!guessed) guessed = column;
   }
   return guessed;
 }
@@ -63,6 +64,18 @@ double Unevenness(const std::vector<double>& times) {
   return worst / step;
 }
 
+/// Rms of the steps that are no gaps about the usual one, as a share of it; 0 where rounding of the times explains it.
+double JitterOf(const std::vector<double>& steps, double usual) {
+  double squares = 0;
+  double count = 0;
+  for (const double step : steps) {
+    if (std::abs(step - usual) >= 0.5 * usual) continue;
+    squares += std::pow(step / usual - 1, 2);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
 std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, std::size_t column) {
   std::vector<double> times = Values(table, column);
   const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
@@ -78,16 +91,43 @@ std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, std::size_
   for (std::size_t k = 0; k < steps.size(); ++k)
     // As ReadTimeRecording has it.
     if (std::abs(steps[k] - usual) >= 0.5 * usual) summary.gaps.push_back({table.line(k + 1), times[k], times[k + 1]});
-  if (!summary.gaps.empty()) return summary;
+  if (!summary.gaps.empty()) {
+    summary.jitter = JitterOf(steps, usual);
+    return summary;
+  }
   summary.rate_Hz = static_cast<double>(steps.size()) / (times.back() - times.front());
   summary.unevenness = Unevenness(times);
   // Times of few digits, or of single precision, are uneven by their rounding alone.
   const double rounding_s = std::max(LevelOf(steps), 0x1p-23 * std::abs(times.back()));
   if (summary.unevenness / summary.rate_Hz <= 1.01 * rounding_s) return summary;
-  double squares = 0;
-  for (const double step : steps) squares += std::pow(step / usual - 1, 2);
-  summary.jitter = std::sqrt(squares / static_cast<double>(steps.size()));
+  summary.jitter = JitterOf(steps, usual);
   return summary;
+}
+
+/// Samples, the last excluded.
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  /// From the begin of the record.
+  double start_s = 0;
+};
+
+/// The longest without a gap.
+Stretch LongestStretch(const RecordedTable& table, std::size_t column, const TimeSummary& time) {
+  const std::vector<double> times = Values(table, column);
+  const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+  const double si = unit && unit->dimension == kTime ? unit->si : 1;
+  Stretch longest;
+  std::size_t first = 0;
+  std::size_t gap = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const bool ends = k + 1 == times.size() || (gap < time.gaps.size() && times[k] * si == time.gaps[gap].from_s);
+    if (!ends) continue;
+    ++gap;
+    if (k + 1 - first > longest.last - longest.first) longest = {first, k + 1, (times[first] - times.front()) * si};
+    first = k + 1;
+  }
+  return longest;
 }
 
 void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
@@ -111,13 +151,16 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
 }
 
 /// `rate_Hz`: where the channel has none of its own.
-ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column, double rate_Hz, RestSearch& rest) {
+ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column, double rate_Hz,
+                              const std::optional<Stretch>& stretch, RestSearch& rest) {
   ColumnSummary summary = {.name = table.names()[column], .unit = table.unit(column)};
   summary.unit_known = ParseRecordedUnit(summary.unit).has_value();
   std::vector<double> values = Values(table, column);
   summary.samples = values.size();
   if (table.recording() != nullptr) summary.rate_Hz = table.recording()->rate_Hz(column);
-  rest.Add(values, summary.rate_Hz > 0 ? summary.rate_Hz : rate_Hz);
+  const bool is_cut = stretch && stretch->last <= values.size();
+  rest.Add(is_cut ? std::span<const double>(values).subspan(stretch->first, stretch->last - stretch->first) : values,
+           summary.rate_Hz > 0 ? summary.rate_Hz : rate_Hz);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::isfinite(values[row])) continue;
     if (summary.missing++ == 0) summary.first_missing = row;
@@ -141,16 +184,23 @@ RecordingSummary Summarise(const RecordedTable& table) {
   if (times) summary.time = SummariseTimes(table, *times);
   if (summary.time)
     summary.time->is_guessed = !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(table.unit(*times));
+  // Across a gap nobody knows when.
+  std::optional<Stretch> stretch;
+  if (summary.time && !summary.time->gaps.empty()) stretch = LongestStretch(table, *times, *summary.time);
   for (std::size_t column = 0; column < table.names().size(); ++column)
     if (column != times && !table.HoldsText(column))
-      summary.columns.push_back(SummariseColumn(table, column, summary.time ? summary.time->rate_Hz : 0, rest));
-  // Between gaps nobody knows when.
-  if (!summary.time || !summary.time->gaps.empty()) return summary;
+      summary.columns.push_back(
+          SummariseColumn(table, column, summary.time ? summary.time->rate_Hz : 0, stretch, rest));
+  if (!summary.time) return summary;
   summary.rest = rest.Longest();
   constexpr std::size_t kFewest = 64;
   for (std::size_t i = 0; summary.rest && i < summary.columns.size(); ++i)
     if (const std::vector<double> samples = rest.Samples(i, *summary.rest); samples.size() >= kFewest)
       summary.columns[i].noise = SensorNoiseOf(samples, rest.rate_Hz(i));
+  if (summary.rest && stretch) {
+    summary.rest->from_s += stretch->start_s;
+    summary.rest->to_s += stretch->start_s;
+  }
   return summary;
 }
 

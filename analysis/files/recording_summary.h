@@ -57,8 +57,8 @@ struct TimeSummary {
   std::vector<TimeGap> gaps;
   /// The largest difference from even steps between first and last sample, in steps; of a record without gaps.
   double unevenness = 0;
-  /// Root mean square of steps about the usual one, as a share of it; of a record without gaps, and
-  /// beyond what rounding of the times explains.
+  /// Root mean square of the steps that are no gaps about the usual one, as a share of it; of a record without gaps
+  /// only beyond what rounding of the times explains.
   double jitter = 0;
   /// Neither by name nor by unit: the column rises evenly, and no other does.
   bool is_guessed = false;
@@ -69,7 +69,7 @@ struct RecordingSummary {
   std::optional<TimeSummary> time;
   /// All columns but that of the times.
   std::vector<ColumnSummary> columns;
-  /// When nothing moves, from the begin of the record.
+  /// When nothing moves, from the begin of the record; of one with gaps, in its longest stretch without one.
   std::optional<RestTime> rest = {};
 };
 

@@ -20,14 +20,15 @@ struct SettledPart {
 /// within what their scatter allows (chi-square of two degrees of freedom, 0.1 % over all signals and lengths
 /// together). The scatter is that of the last half's differences from block to block, which a slow drift does not
 /// enlarge, and at least a thousandth of the mean phasor over the root of the number of blocks: 0.01 dB. The first
-/// block of six and more is always left out. Half of the blocks stay at least.
+/// block of four and more is always left out. Half of the blocks stay at least.
 SettledPart SettledPartOf(std::span<const std::vector<std::complex<double>>> signals);
 
 /// Variance of the mean of a series of complex numbers, real and imaginary part together, whose neighbours may be
 /// correlated: the larger one of their scatter, as if independent, and of the spectral density next to frequency zero,
 /// from the lowest Fourier lines, a sixth of all and four at most, where these are three at least (Bendat and Piersol,
-/// Random Data, 4th ed., section 8.5; the density at zero is the variance of the mean times the number). Of fewer than
-/// three numbers NaN.
+/// Random Data, 4th ed., section 8.5; the density at zero is the variance of the mean times the number). Without such
+/// lines it is larger by Student's distribution: 1.96 of its roots hold 95 %, although few numbers know their scatter
+/// poorly. Of fewer than three numbers NaN.
 double VarianceOfMean(std::span<const std::complex<double>> series);
 
 }  // namespace fourpost

@@ -77,28 +77,56 @@ class DwellFit {
     return largest;
   }
 
-  /// The track is good to a cycle: its ends move as far as the post's phasors stay what they are.
+  struct Stretch {
+    double start = 0;
+    double end = 0;
+    std::size_t blocks = 0;
+  };
+
+  /// The track is good to a cycle: its ends move as far as the post's phasors stay what they are. Of few cycles, which
+  /// blocks that begin in the middle of one would lose, those blocks count that fit in best.
   void Extend(double last, std::size_t tracked) {
-    constexpr double kSame = 0.02;
-    const std::vector<std::span<const double>> post = {all_[tracked]};
-    // Blocks that begin a cycle or two earlier, of the same phase.
+    constexpr double kFewCycles = 6;
+    constexpr int kShifts = 4;
+    // Blocks have 16 samples at least.
     const double cycle = std::max(1.0, std::ceil(16 * frequency_)) / frequency_;
-    const double room = std::min(3.0, std::floor(start_ / cycle));
-    const double first = start_ - room * cycle;
+    std::optional<Stretch> longest = SameBlocks(all_[tracked], last, cycle, start_);
+    for (int shift = 1; shift < kShifts && end_ - start_ < kFewCycles * cycle; ++shift) {
+      const double start = start_ - cycle * shift / kShifts;
+      const std::optional<Stretch> other = start > 0 ? SameBlocks(all_[tracked], last, cycle, start) : std::nullopt;
+      if (other && (!longest || other->blocks > longest->blocks)) longest = other;
+    }
+    if (!longest) return;
+    start_ = longest->start;
+    end_ = longest->end + 1e-6;
+    frequency_ = RefinedFrequency(all_[tracked], start_, end_, frequency_);
+    // The cycles' length has changed by next to nothing; a lost last block would cost more.
+    end_ = std::min(last, end_ + 1e-3 * cycle);
+  }
+
+  /// Blocks about the middle of the dwell that have its phasor, of those that begin whole cycles from `origin`.
+  std::optional<Stretch> SameBlocks(std::span<const double> signal, double last, double cycle, double origin) const {
+    constexpr double kSame = 0.02;
+    const std::vector<std::span<const double>> post = {signal};
+    // Blocks that begin a cycle or two earlier, of the same phase.
+    const double room = std::min(3.0, std::floor(origin / cycle));
+    const double first = origin - room * cycle;
     const double end = std::min(last, end_ + 3 * cycle);
-    const CyclePhasors cycles = PhasorsByCycle(post, first, end, frequency_, start_);
+    const CyclePhasors cycles = PhasorsByCycle(post, first, end, frequency_, origin);
     const std::vector<Complex>& phasor = cycles.phasor.front();
-    if (phasor.size() < 4) return;
-    const auto middle = static_cast<std::size_t>(
-        std::clamp((0.5 * (start_ + end_) - first) / cycle, 1.0, static_cast<double>(phasor.size() - 2)));
+    if (phasor.size() < 4) return std::nullopt;
+    // About the middle, of at most five blocks within the dwell.
+    const double centre =
+        std::clamp((0.5 * (start_ + end_) - first) / cycle - 0.5, 1.0, static_cast<double>(phasor.size() - 2));
+    const auto middle = static_cast<std::size_t>(std::round(centre));
+    const auto reach = static_cast<std::size_t>(std::clamp(0.5 * (end_ - start_) / cycle - 0.5, 1.0, 2.0));
+    const std::size_t low = middle - std::min(middle, reach);
+    const std::size_t high = std::min(middle + reach + 1, phasor.size());
     Complex usual;
-    std::size_t count = 0;
-    for (std::size_t k = middle > 2 ? middle - 2 : 0; k < std::min(middle + 3, phasor.size()); ++k, ++count)
-      usual += phasor[k];
-    usual /= static_cast<double>(count);
+    for (std::size_t k = low; k < high; ++k) usual += phasor[k] / static_cast<double>(high - low);
     double scatter = 0;
-    for (std::size_t k = middle > 2 ? middle - 2 : 0; k < std::min(middle + 3, phasor.size()); ++k)
-      scatter += std::norm(phasor[k] - usual) / static_cast<double>(count - 1);
+    for (std::size_t k = low; k < high; ++k)
+      scatter += std::norm(phasor[k] - usual) / static_cast<double>(high - low - 1);
     const double limit = std::max(kSame * std::abs(usual), 4 * std::sqrt(scatter));
     const auto is_same = [&](std::size_t k) { return std::abs(phasor[k] - usual) < limit; };
     std::size_t begin = middle;
@@ -108,11 +136,9 @@ class DwellFit {
     // The last one may hold a part of the next dwell that is too small to be seen.
     constexpr std::size_t kEnough = 6;
     if (stop - begin >= kEnough) --stop;
-    start_ = first + static_cast<double>(begin) * cycle;
-    end_ = first + static_cast<double>(stop + 1) * cycle + 1e-6;
-    frequency_ = RefinedFrequency(all_[tracked], start_, end_, frequency_);
-    // The cycles' length has changed by next to nothing; a lost last block would cost more.
-    end_ = std::min(last, end_ + 1e-3 * cycle);
+    return Stretch{.start = first + static_cast<double>(begin) * cycle,
+                   .end = first + static_cast<double>(stop + 1) * cycle,
+                   .blocks = stop + 1 - begin};
   }
 
   std::vector<Complex> MotionByCycle(const CyclePhasors& cycles, const PostShares& shares) const {

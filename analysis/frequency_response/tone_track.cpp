@@ -139,6 +139,45 @@ class ToneFilter {
   std::vector<Window> windows_;
 };
 
+/// One window of `half` samples to both sides about a sample.
+TonePoint PointAt(std::span<const double> signal, std::size_t centre, std::size_t half, double cycles_per_sample) {
+  double mean = 0;
+  double square = 0;
+  double weights = 0;
+  Complex sum;
+  Complex leak;
+  const double origin = signal[centre];
+  const Complex window_step = std::polar(1.0, pi / (static_cast<double>(half) + 1));
+  const Complex step = std::polar(1.0, -2 * pi * cycles_per_sample);
+  Complex window = std::polar(1.0, -pi * static_cast<double>(half) / (static_cast<double>(half) + 1));
+  Complex turn = std::polar(1.0, 2 * pi * cycles_per_sample * static_cast<double>(half));
+  for (std::size_t k = centre - half; k <= centre + half; ++k, window *= window_step, turn *= step) {
+    const double weight = 0.5 + 0.5 * window.real();
+    const double value = signal[k] - origin;
+    weights += weight;
+    mean += weight * value;
+    square += weight * value * value;
+    sum += weight * value * turn;
+    leak += weight * turn;
+  }
+  mean /= weights;
+  const double variance = square / weights - mean * mean;
+  const Complex phasor = 2.0 * (sum - mean * leak) / weights;
+  return {.time = static_cast<double>(centre),
+          .cycles_per_sample = cycles_per_sample,
+          .phase_rad = std::arg(phasor),
+          .amplitude = std::abs(phasor),
+          .share = variance > 0 ? std::min(1.0, 0.5 * std::norm(phasor) / variance) : 0};
+}
+
+/// Next to a step the track sees two tones at once, half a window away only one.
+const TonePoint& ClearestNear(std::span<const TonePoint> track, std::size_t index) {
+  constexpr std::size_t kPoints = 3;
+  const auto first = track.begin() + static_cast<std::ptrdiff_t>(index - std::min(index, kPoints));
+  const auto last = track.begin() + static_cast<std::ptrdiff_t>(std::min(track.size(), index + kPoints + 1));
+  return *std::max_element(first, last, [](const TonePoint& a, const TonePoint& b) { return a.share < b.share; });
+}
+
 std::vector<ToneFilter> FiltersOf(std::span<const double> signal) {
   constexpr double kStep = 1.189207115;  // A quarter of an octave.
   constexpr double kHighest = 0.3;
@@ -176,6 +215,24 @@ std::vector<TonePoint> TrackTone(std::span<const double> signal) {
     time += std::max(1.0, kHopCycles / best->cycles());
   }
   return track;
+}
+
+std::vector<TonePoint> SharpTrack(std::span<const double> signal, std::span<const TonePoint> track) {
+  constexpr double kHop = 0.25;
+  constexpr std::size_t kFewestHalf = 8;
+  std::vector<TonePoint> sharp;
+  std::size_t near = 0;
+  for (std::size_t centre = 0; !track.empty() && centre < signal.size();) {
+    const double time = static_cast<double>(centre);
+    while (near + 1 < track.size() && track[near + 1].time <= time) ++near;
+    const double cycles = std::max(ClearestNear(track, near).cycles_per_sample, 1 / static_cast<double>(signal.size()));
+    const auto half = std::max(kFewestHalf, static_cast<std::size_t>(std::round(0.5 * kSharpCycles / cycles)));
+    if (centre >= half && centre + half < signal.size()) sharp.push_back(PointAt(signal, centre, half, cycles));
+    // A point of silence has any frequency, even next to none: the track's own steps are shorter then.
+    const double step = near + 1 < track.size() ? track[near + 1].time - track[near].time : 1 / cycles;
+    centre += std::max<std::size_t>(1, static_cast<std::size_t>(std::min(kHop / cycles, 0.5 * step)));
+  }
+  return sharp;
 }
 
 }  // namespace fourpost

@@ -25,4 +25,12 @@ struct TonePoint {
 /// samples.
 std::vector<TonePoint> TrackTone(std::span<const double> signal);
 
+/// Of SharpTrack().
+constexpr double kSharpCycles = 2;
+
+/// The same tone by shorter windows, Hann's over two of its cycles and 16 samples at least, a point each quarter cycle:
+/// it sees a step a cycle away, and more noise. The windows are those of the frequencies of `track`, but for its phase,
+/// so that the zeros of Hann's spectrum lie at mean and harmonics.
+std::vector<TonePoint> SharpTrack(std::span<const double> signal, std::span<const TonePoint> track);
+
 }  // namespace fourpost

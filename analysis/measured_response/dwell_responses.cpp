@@ -13,23 +13,23 @@ namespace {
 
 /// "no dwell was found from 2.0 to 8.1 s ..." of motions that are not used, for two seconds at least: too short for a
 /// dwell, or not steady.
-std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
+std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked, const std::vector<Dwell>& dwells) {
   constexpr double kLeast_s = 2;
   constexpr double kMoves = 0.1;
   const std::vector<double>& post = looked.recording.heights[looked.largest_post];
   const double rate_Hz = looked.recording.rate_Hz;
   double largest = 0;
-  for (const Dwell& dwell : looked.dwells) largest = std::max(largest, dwell.amplitude);
+  for (const Dwell& dwell : dwells) largest = std::max(largest, dwell.amplitude);
   std::vector<std::string> list;
   std::size_t begin = 0;
-  for (std::size_t d = 0; d <= looked.dwells.size(); ++d) {
-    const bool is_last = d == looked.dwells.size();
-    const auto end = is_last ? post.size() : std::min(post.size(), static_cast<std::size_t>(looked.dwells[d].start));
+  for (std::size_t d = 0; d <= dwells.size(); ++d) {
+    const bool is_last = d == dwells.size();
+    const auto end = is_last ? post.size() : std::min(post.size(), static_cast<std::size_t>(dwells[d].start));
     // The ends of dwells are known to a cycle.
     double least_s = kLeast_s;
     const auto cycle_s = [&](const Dwell& dwell) { return 1 / (dwell.cycles_per_sample * rate_Hz); };
-    if (d > 0) least_s += cycle_s(looked.dwells[d - 1]);
-    if (!is_last) least_s += cycle_s(looked.dwells[d]);
+    if (d > 0) least_s += cycle_s(dwells[d - 1]);
+    if (!is_last) least_s += cycle_s(dwells[d]);
     std::vector<std::size_t> moving;
     const auto at = [&](std::size_t k) { return post.begin() + static_cast<std::ptrdiff_t>(k); };
     const double rest = begin < end ? Median(std::vector<double>(at(begin), at(end))) : 0;
@@ -40,10 +40,35 @@ std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
     if (static_cast<double>(moving.size()) > least_s * rate_Hz)
       list.push_back("no dwell was found from " + Rounded(static_cast<double>(first) / rate_Hz, 3) + " to " +
                      Rounded(static_cast<double>(last) / rate_Hz, 3) +
-                     " s, where the posts move: left out; dwell for ten cycles");
-    if (!is_last) begin = std::min(post.size(), static_cast<std::size_t>(looked.dwells[d].end));
+                     " s, where the posts move: left out; dwell for ten cycles, or state the frequencies by `fourpost "
+                     "frf --frequencies`");
+    if (!is_last) begin = std::min(post.size(), static_cast<std::size_t>(dwells[d].end));
   }
   return list;
+}
+
+/// Few cycles that the run-in still moves say nothing: a fit that pools variances over frequencies would believe them.
+bool SaysLittle(const DwellResponse& response) {
+  constexpr int kFew = 9;
+  constexpr double kMost = 0.05;
+  if (response.cycles >= kFew || response.channels.empty()) return false;
+  std::vector<double> shares;
+  for (const DwellChannel& channel : response.channels)
+    shares.push_back(std::sqrt(channel.variance / 2) / std::max(1e-300, std::abs(channel.response)));
+  return Median(shares) > kMost;
+}
+
+/// Those that a response lies in the middle of.
+std::vector<Dwell> DwellsOf(const std::vector<DwellResponse>& responses, const std::vector<Dwell>& dwells) {
+  std::vector<Dwell> kept;
+  for (const Dwell& dwell : dwells)
+    if (std::any_of(responses.begin(), responses.end(), [&](const DwellResponse& response) {
+          const double middle = 0.5 * (dwell.start + dwell.end);
+          return static_cast<double>(response.first) - 1 / dwell.cycles_per_sample < middle &&
+                 middle < static_cast<double>(response.last);
+        }))
+      kept.push_back(dwell);
+  return kept;
 }
 
 }  // namespace
@@ -51,11 +76,13 @@ std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked) {
 void DwellResponses::Add(const LookedAt& looked) {
   const RigSignals signals = looked.recording.Signals();
   std::vector<DwellResponse> responses = RespondInDwells(signals, looked.dwells, work_.reference);
+  std::erase_if(responses, SaysLittle);
   if (responses.empty()) {
     work_.Fault(kResponseNoDwell, looked.file, {looked.recording.posts[looked.largest_post]});
     return;
   }
-  for (std::string& missed : MotionsWithoutDwell(looked)) work_.out.missed.push_back(std::move(missed));
+  for (std::string& missed : MotionsWithoutDwell(looked, DwellsOf(responses, looked.dwells)))
+    work_.out.missed.push_back(std::move(missed));
   const std::vector<double> rest = LevelsAtRest(signals, looked.dwells);
   has_rest_ = has_rest_ && !rest.empty();
   for (DwellResponse& response : responses) {

@@ -30,7 +30,8 @@ inline const Finding kResponsePostsStill{"response-posts-still", Severity::kErro
                                          "name channels of posts that moved"};
 inline const Finding kResponseNoDwell{"response-no-dwell", Severity::kError,
                                       "no dwell of a stepped sine: the post {} keeps no frequency for four cycles",
-                                      "state --kind sweep or --kind random, or dwell longer"};
+                                      "state the frequencies of the dwells, as by --kind stepped --frequencies "
+                                      "0.5Hz:30Hz:0.1Hz; or --kind sweep or --kind random; or dwell longer"};
 inline const Finding kResponseTooShort{"response-too-short", Severity::kError,
                                        "{} s are too short for a response at {} Hz",
                                        "record longer, or ask for higher --frequencies"};

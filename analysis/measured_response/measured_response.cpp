@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/frequency_response/stated_dwells.h"
 #include "analysis/measured_response/dwell_responses.h"
 #include "analysis/measured_response/findings.h"
 #include "analysis/measured_response/spectral_responses.h"
@@ -65,9 +66,17 @@ class ResponseMaker {
     const bool is_stepped = work_.request.kind == ExcitationKind::kStepped;
     if (!work_.request.kind || is_stepped || work_.request.kind == ExcitationKind::kSweep)
       looked.track = TrackTone(post);
-    if (!work_.request.kind || is_stepped) looked.dwells = FindDwells(looked.track);
+    if (!work_.request.kind || is_stepped) looked.dwells = FindDwells(post, looked.track);
     looked.kind = work_.request.kind ? *work_.request.kind : KindOf(post, looked.track, looked.dwells);
+    if (looked.kind == ExcitationKind::kStepped && !work_.request.frequencies_Hz.empty())
+      looked.dwells = DwellsOfFrequencies(post, looked.track, StatedPerSample(looked.recording.rate_Hz));
     return looked;
+  }
+
+  std::vector<double> StatedPerSample(double rate_Hz) const {
+    std::vector<double> stated = work_.request.frequencies_Hz;
+    for (double& frequency : stated) frequency /= rate_Hz;
+    return stated;
   }
 
   /// Sensors that do not move have no response.

@@ -31,7 +31,8 @@ struct ResponseRequest {
   std::optional<ExcitationKind> kind = {};
   std::optional<AcquisitionFilter> filter = {};
   RigPreparation preparation = {};
-  /// Of sweeps and random motions, rising; empty: 64 over the band in which the posts move.
+  /// Of sweeps and random motions, rising; empty: 64 over the band in which the posts move. Of stepped sines those of
+  /// the dwells; empty: found.
   std::vector<double> frequencies_Hz = {};
 };
 

@@ -396,6 +396,8 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     if (round == 0) {
       audit.channels = RestsOf(subject, stand);
       audit.is_redundant = stand.degrees() > 0;
+      audit.is_noise_known = std::all_of(subject.runs.begin(), subject.runs.end(),
+                                         [](const AuditedRun& run) { return run.is_noise_known; });
     }
     if (!audit.is_redundant) break;
     const std::vector<Explanation> all = ExplanationsOf(stand, faults);

@@ -54,6 +54,8 @@ struct Audit {
   /// Root mean square of all that is left over, once suspicions are corrected, over its standard deviation; about 1 for
   /// a rigid car whose noise is known.
   double misfit = 0;
+  /// In all recordings; elsewhere a misfit above 1 is no contradiction.
+  bool is_noise_known = true;
   /// Whether any reading can be checked by others.
   bool is_redundant = false;
 };

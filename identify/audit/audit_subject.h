@@ -84,6 +84,8 @@ struct AuditedRun {
   /// Tyres x frequencies: readings of the load cells [N/m] without the inertia of wheelpans, more load positive.
   Eigen::MatrixXcd forces;
   Eigen::MatrixXd force_sd;
+  /// Whether standard deviations are those of noise that was measured.
+  bool is_noise_known = true;
 };
 
 struct AuditSubject {

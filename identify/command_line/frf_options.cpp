@@ -108,7 +108,10 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
         if (auto frequencies = ParseFrequencies(text, "--frequencies", command.faults))
           command.request.frequencies_Hz = *std::move(frequencies);
       },
-      "Frequencies for sweeps and random motions, 0.5Hz:30Hz:64 or a list (default: 64 in the band of the posts)");
+      "Frequencies of the response, 0.5Hz:30Hz:64, 0.5Hz:30Hz:0.1Hz or a list (default: of sweeps and random motions "
+      "64 "
+      "in the band of the posts; of stepped sines those of the dwells that are found; state them where dwells are "
+      "missed)");
   subcommand.add_option("-o,--output", command.output,
                         "Folder for each pattern's recording (heave.csv, heave.uff) and picture (heave.svg), "
                         "recordings.yaml, the part of a study that takes them, and frf.json");

@@ -12,6 +12,7 @@
 #include "analysis/text/text_table.h"
 #include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/four_post.h"
+#include "identify/experiments/time_history/time_histories.h"
 #include "identify/study/findings.h"
 #include "identify/study_file/channel_source_text.h"
 
@@ -103,10 +104,18 @@ bool IsCertain(const Suspicion& suspicion) {
 
 /// Null of a device, a post, or a channel that the study does not have.
 const ChannelSource* SourceOf(const LoadedStudy& study, const std::string& sensor) {
+  const auto named = [&](const std::vector<std::pair<std::string, ChannelSource>>& channels) -> const ChannelSource* {
+    const auto found =
+        std::find_if(channels.begin(), channels.end(), [&](const auto& one) { return one.first == sensor; });
+    return found == channels.end() ? nullptr : &found->second;
+  };
   const FourPost* const sines = study.study.experiments.Find<FourPost>();
   if (sines != nullptr)
-    for (const auto& [name, source] : sines->plan.channels)
-      if (name == sensor) return &source;
+    if (const ChannelSource* const source = named(sines->plan.channels)) return source;
+  const TimeHistories* const histories = study.study.experiments.Find<TimeHistories>();
+  if (histories != nullptr)
+    for (const StudyHistory& history : histories->plan.histories)
+      if (const ChannelSource* const source = named(history.channels)) return source;
   return nullptr;
 }
 
@@ -190,6 +199,14 @@ bool IsStated(const LoadedStudy& study, const Suspicion& suspicion) {
       });
 }
 
+/// What is left over says more of noise that nobody knows than its usual share.
+AuditSubject WithLessNoise(AuditSubject subject, double share) {
+  constexpr double kLeast = 0.3;
+  for (AuditedRun& run : subject.runs)
+    if (!run.is_noise_known) run.motion_sd *= std::max(kLeast, share);
+  return subject;
+}
+
 }  // namespace
 
 std::optional<Audit> AuditStudy(const LoadedStudy& study) {
@@ -198,7 +215,9 @@ std::optional<Audit> AuditStudy(const LoadedStudy& study) {
     return std::nullopt;
   AuditedVehicle audited(study.MakeSubject());
   for (const Experiment& experiment : experiments) experiment.AddRecordings(audited);
-  return AuditRig(audited.audited());
+  Audit audit = AuditRig(audited.audited());
+  if (audit.is_noise_known || !audit.is_redundant || audit.misfit >= 1) return audit;
+  return AuditRig(WithLessNoise(audited.audited(), audit.misfit));
 }
 
 void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics) {
@@ -213,7 +232,7 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
       diagnostics.ReportAsWarning(kind, place, words);
     else diagnostics.Report(kind, place, words);
   }
-  if (audit.misfit > kContradiction)
+  if (audit.is_noise_known && audit.misfit > kContradiction)
     diagnostics.Report(kRigContradiction, {.file = study.study.file.string()}, {ShortNumber(audit.misfit, 2)});
 }
 
@@ -251,7 +270,10 @@ std::string AuditText(const Audit& audit) {
   }
   return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
          table.Format() + "left over: root mean square, of the worst recording; misfit " +
-         ShortNumber(audit.misfit, 2) + " (about 1 or less is expected)\n" +
+         ShortNumber(audit.misfit, 2) +
+         (audit.is_noise_known
+              ? " (about 1 or less is expected)\n"
+              : " (1 % of each channel without a stated 'noise' is expected; state it to see more)\n") +
          (open.empty() ? "" : "not checked, as no other channel depends on it: " + open + '\n') +
          "not checked: amplitudes of posts where responses are relative to them, and mean offsets\n";
 }

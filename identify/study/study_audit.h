@@ -11,7 +11,8 @@
 
 namespace fourpost {
 
-/// What the recordings of a study say of the rig that made them, see AuditRig(). Nothing without stepped sines. Throws
+/// What the recordings of a study say of the rig that made them, see AuditRig(). Nothing without stepped sines or
+/// time histories. Throws
 /// FaultyInput when the vehicle cannot be assembled.
 std::optional<Audit> AuditStudy(const LoadedStudy& study);
 

@@ -246,6 +246,21 @@ class Frf(ProgramTest):
         self.run_program("init", "study", "--from", "slow.csv", "--vehicle", "car.urdf")
         self.assertIn("# look at: slow.csv: no dwell was found", (self.folder / "study/study.yaml").read_text())
 
+    def test_takes_stated_frequencies_of_dwells(self):
+        # Steps of 1 % over eight cycles look like a sweep.
+        stated = [2 + 0.02 * k for k in range(10)]
+        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(dwells(stated, RATE)))
+        self.write("heights.csv", "time,post\ns,m\n" + rows)
+        self.run_program("simulate", "car.urdf", "--recording", "heights.csv", "--rate", f"{RATE}Hz", "--noise", "0.1%",
+                         "--engine", "reduced", "-o", "close.csv")
+        words = ["frf", "close.csv", "--kind", "stepped", "--json"]
+        frf = json.loads(self.run_program(*words, "--frequencies", "2Hz:2.18Hz:0.02Hz").stdout)
+        found = frf["responses"][0]["frequency_Hz"]
+        self.assertEqual([round(frequency, 2) for frequency in found], [round(frequency, 2) for frequency in stated])
+        # A frequency of eight cycles with noise of 0.1 % is good to a fraction of the step.
+        for frequency, true in zip(found, stated, strict=True):
+            self.assertAlmostEqual(frequency, true, delta=0.002)
+
     def test_audit_finds_a_device_on_another_clock(self):
         for ahead_s, is_found in ((0.003, True), (0, False)):
             self.split(ahead_s)

@@ -1,6 +1,7 @@
 """`fourpost info` and `fourpost params` as a user meets them."""
 import json
 import math
+import random
 import statistics
 import unittest
 
@@ -91,6 +92,25 @@ class Info(ProgramTest):
         self.assertEqual(told["channels"][0]["level"], 1)
         self.assertIn("coarse resolution: levels of", told["channels"][0]["remarks"][0])
 
+    def test_tells_noise_at_rest_and_jitter_of_a_recording_with_gaps(self):
+        draw = random.Random(1)
+        rows = [(k / 500 + draw.gauss(0, 1e-4), (5 * math.sin(2 * math.pi * 2 * k / 500) if k > 3000 else 0) +
+                 draw.gauss(0, 0.01)) for k in range(10000)]
+        del rows[7000:7200]
+        self.write("r.csv", table([("time", "x"), ("s", "mm"), *rows]))
+        told = json.loads(self.run_program("info", "r.csv", "--json").stdout)["files"][0]
+        self.assertEqual(len(told["time"]["gaps"]), 1)
+        # Steps differ by the root of two of a twentieth.
+        self.assertAlmostEqual(told["time"]["jitter_share"], 0.0707, delta=0.003)
+        self.assertLess(told["rest_s"][1], 6.01)
+        self.assertAlmostEqual(told["channels"][0]["noise"]["sd"], 0.01, delta=0.001)
+        # Before the rest there may be a gap: times are those of the record.
+        late = [(t + (30 if t > 2 else 0), x) for t, x in rows if t < 13]
+        self.write("r.csv", table([("time", "x"), ("s", "mm"), *late]))
+        told = json.loads(self.run_program("info", "r.csv", "--json").stdout)["files"][0]
+        self.assertGreater(told["rest_s"][0], 31.9)
+        self.assertLess(told["rest_s"][1], 36.01)
+
     def test_tells_why_a_fit_refuses_a_bench_recording(self):
         def bench(names, units, sign):
             rows = [(t, x, sign * 300 * math.cos(2 * math.pi * 5.0317 * t)) for t, x, _ in samples()]
@@ -119,6 +139,13 @@ class Info(ProgramTest):
         self.assertIn("name it in the study, time: {channel: NAME, unit: s}", text)
         self.assertEqual(text.count("no unit"), 2)
 
+    def test_guesses_times_that_stand_there_twice(self):
+        rows = [(k / 100, math.sin(k), k / 100) for k in range(100)]
+        told = self.info("r.csv", table([("Tout", "b", "tout"), *rows]))
+        self.assertEqual((told["time"]["column"], told["time"]["guessed"]), ("Tout", True))
+        told = self.info("r.csv", table([("Tout", "b", "count"), *((t, b, k) for k, (t, b, _) in enumerate(rows))]))
+        self.assertIsNone(told["time"])
+
     def test_of_other_layouts(self):
         text = self.run_program("info", SOURCE / "studies/landrover110/pitch_frf.csv",
                                 SOURCE / "studies/landrover110/static.csv").stdout
@@ -135,6 +162,39 @@ class Info(ProgramTest):
         audit = json.loads(self.run_program("info", study, "--json").stdout)["files"][0]["audit"]
         self.assertEqual(audit["suspicions"], [])
         self.assertLess(audit["misfit"], 1)
+
+    def test_of_a_study_of_histories_names_a_late_channel(self):
+        """By 3 ms at 200 Hz, which is less than a sample."""
+        model = SOURCE / "urdf/quarter_car.urdf"
+        self.run_program("simulate", model, "--random", "4mm", "--seed", "1", "--duration", "30s", "--rate", "1000Hz",
+                         "--engine", "reduced", "-o", "fine.csv")
+        names, units, *rows = [line.split(",") for line in (self.folder / "fine.csv").read_text().split()]
+        draw = random.Random(1)
+        strut = names.index("s_strut")
+        sd = {column: 0.01 * statistics.pstdev(float(row[column]) for row in rows) for column in range(1, len(names))}
+        study = f"vehicle: {model}\nhistories:\n  - {{file: r.csv, posts: {{post: {names[1]}}}}}\n" + (
+            "channels: {a_sprung: a_sprung, a_unsprung: a_unsprung, s_strut: s_strut}\nfree: [k]\n")
+        self.write("study.yaml", study)
+        for late in (0, 3, -3):
+            recorded = []
+            for k in range(10, len(rows) - 10, 5):
+                row = [f"{float(rows[k][c]) + draw.gauss(0, sd[c]):.9g}" for c in range(1, len(names))]
+                row[strut - 1] = f"{float(rows[k - late][strut]) + draw.gauss(0, sd[strut]):.9g}"
+                recorded.append([f"{k / 1000:.4f}", *row])
+            self.write("r.csv", table([names, units, *recorded]))
+            told = json.loads(self.run_program("info", "study.yaml", "--json").stdout)["files"][0]
+            if late == 0:
+                self.assertEqual(told["audit"]["suspicions"], [])
+                continue
+            # Three sensors of two motions: any of them may be late.
+            (found,) = told["audit"]["suspicions"]
+            explained = {one["of"]: one for one in (found, *found["rivals"])}
+            self.assertEqual({one["kind"] for one in explained.values()}, {"delay"})
+            # Three of its standard deviations, and what a good rig may be off by.
+            self.assertAlmostEqual(explained["s_strut"]["size"], 1e-3 * late, delta=0.5e-3)
+            (warning,) = [one["text"] for one in told["warnings"] if one["id"] == "rig-delay"]
+            self.assertRegex(warning, "'s_strut' comes [23][.0-9]* ms " + ("late" if late > 0 else "early"))
+            self.assertRegex(warning, "delay: -?[23][.0-9]* ms")
 
     def test_says_what_else_fits_other_files(self):
         self.run_program("init", "car")

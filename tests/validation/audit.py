@@ -3,13 +3,16 @@
 
   audit.py PROGRAM --sets 200 > audit.csv      random cars (random_cars.py), clean and with one fault each
   audit.py PROGRAM --table > audit_table.csv   common faults in the Land Rover's recordings, by Model 2
+  audit.py PROGRAM --histories 60 > audit_histories.csv   time histories, clean and with one delay each
 
 Recordings of random cars are of a richer vehicle than any that audits them: power unit on mounts, bushes, friction,
 digressive dampers; noise of three repeats, scale errors of 0.3 %. In a planar model a fault is in both channels of a
-sensor.
+sensor. Time histories are of three vehicles at drawn parameters, which the audit does not know, on sweeps, random motions
+and roads, with noise on all channels, posts too; one channel, or all of a kind, comes 2 to 5 ms late or early.
 """
 import argparse
 import csv
+import itertools
 import json
 import math
 import random
@@ -20,7 +23,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+import coverage_over_time
 import random_cars
+import run_program
 
 SOURCE = Path(__file__).resolve().parents[2]
 LAND_ROVER = SOURCE / "studies" / "landrover110"
@@ -206,6 +211,101 @@ def run_sets(options):
             sys.stdout.flush()
 
 
+HISTORY_MODELS = ["quarter_car", "single_wheel_station", "landrover110_linkage"]
+HISTORY_MOTIONS = {"sweep": ["--sweep", "0.5Hz:20Hz"], "random": ["--random", "4mm"],
+                   "road": ["--road", "C", "--speed", "50km/h"]}
+FINE_RATE = 1000
+
+
+def simulated_history(options, number, model, motion, seconds):
+    """Names, units and columns at FINE_RATE, without noise; and the parameters."""
+    vehicle = SOURCE / "urdf" / f"{model}.urdf"
+    known = coverage_over_time.parameters(options.program, vehicle)
+    values = coverage_over_time.drawn(random.Random(f"history {number}"), known)
+    units = {p["name"]: p["unit"] for p in known}
+    sets = [part for name, value in values.items() for part in ("--set", f"{name}={value}{units[name]}")]
+    seed = [] if motion == "sweep" else ["--seed", str(number)]
+    with tempfile.TemporaryDirectory() as temporary:
+        file = Path(temporary) / "fine.csv"
+        run_program.run(options.program, "simulate", vehicle, *HISTORY_MOTIONS[motion], *seed, *sets, "--engine", "reduced",
+                        "--duration", f"{seconds}s", "--rate", f"{FINE_RATE}Hz", "-o", file)
+        names, row_units, columns = coverage_over_time.read(file)
+    return (names, row_units, columns), list(values)
+
+
+def smoothed(values, step):
+    """Four running means: a recorder's filter, without which kinks of dampers are mirrored into the band."""
+    for _ in range(4):
+        sums = [0.0, *itertools.accumulate(values)]
+        values = [(sums[k + step] - sums[k]) / step for k in range(len(values) - step + 1)]
+    return values
+
+
+def recorded_history(folder, model, free, fine, late_s, rate, level, is_stated, draw):
+    """Writes a study of a recording at `rate` with noise of `level`, which it states or not; `late_s`: of channels."""
+    names, units, columns = fine
+    step = FINE_RATE // rate
+    edge = 10
+    recorded = []
+    noise = {}
+    for name, column in zip(names, columns):
+        shift = round(late_s.get(name, 0) * FINE_RATE)
+        taken = column[edge - shift:len(column) - edge - shift]
+        taken = taken[::step] if name == "time" else smoothed(taken, step)[::step]
+        if name != "time":
+            mean = sum(taken) / len(taken)
+            sd = level * math.sqrt(sum((v - mean) ** 2 for v in taken) / len(taken))
+            taken = [v + draw.gauss(0, sd) for v in taken]
+            noise[name] = sd
+        recorded.append(taken)
+    recorded[0] = [k / rate for k in range(len(recorded[1]))]
+    coverage_over_time.write(folder / "recording.csv", names, units, recorded)
+    posts = [name[5:] for name in names if name.startswith("post_")]
+    # Load cells are not audited over time.
+    sensors = [name for name in names[1:] if not name.startswith(("post_", "F_"))]
+    coverage_over_time.study(folder, SOURCE / "urdf" / f"{model}.urdf", posts, sensors, free)
+    if is_stated:
+        text = (folder / "study.yaml").read_text()
+        stated = ", ".join(f"{name}: {noise[name]:.4g} {unit}" for name, unit in zip(names, units) if name in sensors)
+        (folder / "study.yaml").write_text(text.replace("model_error:", f"    noise: {{{stated}}}\nmodel_error:"))
+
+
+def run_histories(options):
+    out = csv.writer(sys.stdout)
+    out.writerow(["set", "model", "motion", "rate", "level", "noise", "late", "by_ms", "named_first", "named_among", "anything_named",
+                  "misfit", "found"])
+    cases = [(model, motion, rate, level, is_stated) for model in HISTORY_MODELS for motion in HISTORY_MOTIONS
+             for rate in (200, 500) for level in (0.001, 0.01) for is_stated in (True, False)]
+    for number in range(options.first, options.first + options.histories):
+        model, motion, rate, level, is_stated = cases[(number * 7919) % len(cases)]
+        draw = random.Random(number)
+        fine, free = simulated_history(options, number, model, motion, draw.choice([30, 60]))
+        kinds = {}
+        for name in fine[0][1:]:
+            if not name.startswith(("post_", "F_")):
+                kinds.setdefault(device(name), []).append(name)
+        late = [draw.choice([name for names in kinds.values() for name in names])]
+        if draw.random() < 0.3:
+            late = draw.choice(list(kinds.values()))
+        milliseconds = draw.choice([2, 3, 4, 5]) * draw.choice([1, -1])
+        for delayed_ones, by in ((late, milliseconds), ([], 0)):
+            with tempfile.TemporaryDirectory() as temporary:
+                folder = Path(temporary)
+                recorded_history(folder, model, free, fine, {name: by / 1000 for name in delayed_ones}, rate, level,
+                                 is_stated, draw)
+                found = audit(options.program, folder / "study.yaml")["audit"]
+            suspicions = found["suspicions"] if found else []
+
+            def is_it(one):
+                return one["kind"] == "delay" and abs(one["size"] - by / 1000) < 0.001 and (
+                    one["of"] in delayed_ones or one["of"].startswith("all "))
+            first = bool(suspicions) and is_it(suspicions[0])
+            among = any(is_it(s) or any(is_it(r) for r in s["rivals"]) for s in suspicions)
+            out.writerow([number, model, motion, rate, level, "stated" if is_stated else "", " ".join(delayed_ones), by, int(first), int(among),
+                          int(bool(suspicions)), f"{found['misfit']:.2f}" if found else "", words(suspicions)])
+            sys.stdout.flush()
+
+
 def table_faults():
     """Name, and what it changes in a folder of recordings."""
     def of(prefix, change):
@@ -286,8 +386,14 @@ def main():
     arguments.add_argument("--models", default="model1,model2,model3,full_one_body")
     arguments.add_argument("--keep", help="folder for clean recordings")
     arguments.add_argument("--table", action="store_true")
+    arguments.add_argument("--histories", type=int, default=0)
     options = arguments.parse_args()
-    run_table(options) if options.table else run_sets(options)
+    if options.histories:
+        run_histories(options)
+    elif options.table:
+        run_table(options)
+    else:
+        run_sets(options)
     return 0
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Frequency responses that `fourpost frf` makes of simulated recordings, against the harmonic balance, as CSV.
 
-A vehicle is simulated on stepped sines, a sweep and a random motion, with noise on all channels, posts too. `fourpost frf`
+A vehicle is simulated on stepped sines, also of few cycles, on a sweep and a random motion, with noise on all channels, posts too. `fourpost frf`
 makes responses of them, and `fourpost response` has the truth at the same frequencies and, of stepped sines, the same
 amplitudes. Sweeps and random motions of a car with bilinear dampers are compared as well, with the balance at the
 amplitudes of stepped sines: they are not the same.
@@ -34,6 +34,8 @@ VEHICLES = {
     "landrover110_linkage": (["front", "rear"], "heave", {"bilinear": []}),
 }
 NOISE = ["0.1%", "1%"]
+# Dwells of few cycles, from 0.5 to 2.9 Hz in steps of 5 %: cycles, and pauses in seconds.
+SHORT = {"four": (4, 0), "four_paused": (4, 2), "six": (6, 0), "six_paused": (6, 2), "eight": (8, 0)}
 
 
 def run(*arguments):
@@ -49,15 +51,23 @@ def amplitude(frequency):
     return min(12e-3, 0.15 / w, 6 / w**2)
 
 
-def stepped_heights(frequencies, cycles=20, least_s=4):
-    """Rest, then dwells of whole numbers of samples, without jumps of the phase."""
+def stepped_heights(frequencies, cycles=20, least_s=4, pause_s=0):
+    """Rest, then dwells of whole numbers of samples, without jumps of the phase, with pauses between them."""
     heights = [0.0] * (2 * RATE)
     phase = 0.0
     for frequency in frequencies:
         for _ in range(round(max(cycles / frequency, least_s) * RATE)):
             phase += 2 * math.pi * frequency / RATE
             heights.append(amplitude(frequency) * math.sin(phase))
+        heights += [0.0] * round(pause_s * RATE)
     return heights
+
+
+def write_heights(path, posts, heights):
+    with open(path, "w") as file:
+        file.write("time," + ",".join(posts) + "\ns" + ",m" * len(posts) + "\n")
+        for k, z in enumerate(heights):
+            file.write(f"{k / RATE:.6f}" + f",{z:.12g}" * len(posts) + "\n")
 
 
 def truth(program, model, mode, settings, frequencies):
@@ -108,19 +118,19 @@ def main():
     table.writerow(["vehicle", "motion", "dampers", "noise", "channel", "points", "covered_percent", "sharp", "worst_dB",
                     "worst_deg", "median_sd_dB"])
     steps = [0.5 * 60 ** (k / 39) for k in range(40)]
+    low = [0.5 * 1.05**k for k in range(37)]
     for name in options.vehicle or VEHICLES:
         posts, mode, dampers_of = VEHICLES[name]
         model = SOURCE / f"urdf/{name}.urdf"
         with tempfile.TemporaryDirectory() as folder:
             folder = Path(folder)
-            heights = stepped_heights(steps)
-            with open(folder / "heights.csv", "w") as file:
-                file.write("time," + ",".join(posts) + "\ns" + ",m" * len(posts) + "\n")
-                for k, z in enumerate(heights):
-                    file.write(f"{k / RATE:.6f}" + f",{z:.12g}" * len(posts) + "\n")
+            write_heights(folder / "heights.csv", posts, stepped_heights(steps))
+            for kind, (cycles, pause_s) in SHORT.items():
+                write_heights(folder / f"{kind}.csv", posts, stepped_heights(low, cycles, 0, pause_s))
             runs = []
             for dampers, settings in dampers_of.items():
                 runs.append(("stepped", dampers, ["--recording", folder / "heights.csv"], settings))
+                runs += [(kind, dampers, ["--recording", folder / f"{kind}.csv"], settings) for kind in SHORT]
                 if name == "quarter_car":
                     runs += [("sweep", dampers, ["--sweep", "0.4Hz:32Hz", "--mode", mode, "--duration", "180s"], settings),
                              ("random", dampers, ["--random", "4mm", "--mode", mode, "--band", "0.3Hz:32Hz", "--duration",
@@ -130,9 +140,9 @@ def main():
                     sums = {}
                     for seed in range(1, options.seeds + 1):
                         simulate(program, model, words, settings, noise, seed, folder / "recording.csv")
-                        grid = [] if motion == "stepped" else ["--frequencies", "0.7Hz:25Hz:40"]
+                        grid = [] if motion in {"stepped", *SHORT} else ["--frequencies", "0.7Hz:25Hz:40"]
                         measured = json.loads(run(program, "frf", folder / "recording.csv", *grid, "--json"))
-                        if measured["kind"] != motion or len(measured["responses"]) != 1:
+                        if measured["kind"] != ("stepped" if motion in SHORT else motion) or len(measured["responses"]) != 1:
                             raise RuntimeError(f"{name}, {motion}: found {measured['kind']}")
                         response = measured["responses"][0]
                         true = truth(program, model, mode, settings, response["frequency_Hz"])

@@ -100,5 +100,26 @@ TEST(VarianceOfMean, IsThatOfTheMean) {
   }
 }
 
+// Three to eight numbers know their scatter poorly; 1.96 deviations must hold the truth as often as of many.
+TEST(VarianceOfMean, OfFewNumbersCovers) {
+  for (const std::size_t size : {3U, 4U, 8U}) {
+    int within = 0;
+    constexpr int kSeries = 1000;
+    for (std::uint64_t seed = 1; seed <= kSeries; ++seed) {
+      RandomStream random(seed, "test");
+      std::vector<Complex> series;
+      Complex mean;
+      for (std::size_t k = 0; k < size; ++k) {
+        series.emplace_back(random.Normal(), random.Normal());
+        mean += series.back() / static_cast<double>(size);
+      }
+      const double limit = 1.96 * std::sqrt(VarianceOfMean(series) / 2);
+      within += (std::abs(mean.real()) < limit ? 1 : 0) + (std::abs(mean.imag()) < limit ? 1 : 0);
+    }
+    // 2000 numbers: 95 % within 1.5, three standard deviations.
+    EXPECT_NEAR(100.0 * within / (2.0 * kSeries), 95, 1.5) << size;
+  }
+}
+
 }  // namespace
 }  // namespace fourpost
