@@ -31,6 +31,10 @@ struct InitCommand {
   std::filesystem::path points;
   /// "front=760kg"; empty: not known.
   std::vector<std::string> load;
+  /// JSON file of a vehicle of Project Chrono; empty: none is read.
+  std::filesystem::path chrono;
+  /// Those of its tyres: one, or front and rear.
+  std::vector<std::filesystem::path> tyres;
   /// Write over a vehicle that is there.
   bool replace = false;
   bool json = false;

@@ -70,6 +70,7 @@ std::string InitJson(const fs::path& folder) {
 int Run(const InitCommand& command) {
   if (!command.from.empty()) return RunInitFrom(command);
   if (!command.suspension.empty()) return RunInitSuspension(command);
+  if (!command.chrono.empty()) return RunInitChrono(command);
   CheckFolder(command.folder);
   WriteAll(command.folder);
   if (command.json) Print(InitJson(command.folder));

@@ -12,6 +12,7 @@
 #include "identify/command_line/findings.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
+#include "vehicles/chrono/chrono_text.h"
 #include "vehicles/requests/channel_json.h"
 #include "vehicles/requests/option_quantity.h"
 #include "vehicles/templates/findings.h"
@@ -52,10 +53,11 @@ void CheckPlaces(const InitCommand& command) {
   std::error_code failure;
   const fs::path vehicle = command.folder / kVehicleFile;
   const fs::path points = command.folder / kPointsFile;
+  const bool writes_points = command.chrono.empty();
   if (fs::exists(command.folder, failure) && !fs::is_directory(command.folder, failure))
     RefuseToWrite(kStarterFolderIsFile, command.folder);
   if (!command.replace && fs::exists(vehicle, failure)) RefuseToWrite(kVehicleIsThere, vehicle);
-  if (fs::exists(points, failure) && !IsSameFile(command.points, points))
+  if (writes_points && fs::exists(points, failure) && !IsSameFile(command.points, points))
     RefuseToWrite(kPointsAreThere, points, {points.string()});
 }
 
@@ -100,7 +102,7 @@ std::string SuspensionSteps(const InitCommand& command, bool has_new_points) {
   std::string text = "wrote\n  " + vehicle + "\n";
   if (has_new_points) text += "  " + points + "\n";
   text += "next\n  fourpost check " + vehicle + "\n  fourpost kinematics " + vehicle + "\n";
-  if (!command.points.empty()) return text;
+  if (!command.points.empty() || !command.chrono.empty()) return text;
   std::string choice;
   for (const std::string& one : command.suspension) choice += (choice.empty() ? "" : ",") + one;
   return text + "with points of your own, after editing " + points + "\n  fourpost init " + command.folder.string() +
@@ -135,6 +137,22 @@ int RunInitSuspension(const InitCommand& command) {
   } else {
     PrintText(SuspensionSteps(command, has_new_points));
   }
+  return kGood;
+}
+
+int RunInitChrono(const InitCommand& command) {
+  CheckPlaces(command);
+  Diagnostics findings;
+  const std::string place = (command.folder / kVehicleFile).string();
+  const std::string vehicle =
+      ChronoVehicleText(command.chrono, command.tyres, VehicleName(command.folder), place, findings);
+  if (findings.HasErrors()) throw FaultyInput(findings);
+  WriteFiles(command.folder, vehicle, "");
+  Tell(findings);
+  if (command.json)
+    Print(JsonText(nlohmann::ordered_json{
+        {"folder", command.folder.string()}, {"files", {kVehicleFile}}, {"findings", FindingsJson(findings)}}));
+  else PrintText(SuspensionSteps(command, false));
   return kGood;
 }
 

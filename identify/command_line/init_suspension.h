@@ -8,4 +8,7 @@ namespace fourpost {
 /// have other files. Throws FaultyInput and OutputError.
 int RunInitSuspension(const InitCommand& command);
 
+/// `fourpost init DIR --chrono FILE`: the same of a vehicle of Project Chrono.
+int RunInitChrono(const InitCommand& command);
+
 }  // namespace fourpost

@@ -81,18 +81,20 @@ void Program::AddInit() {
   CLI::App* sub = Add(
       "init",
       "Write a study to start from: an example that fits in a second, or a draft for recordings and a vehicle; or a "
-      "vehicle from the hard points of its suspensions",
+      "vehicle from the hard points of its suspensions, or from a model of Project Chrono",
       "  fourpost init car\n  fourpost fit car/study.yaml -o run\n"
       "  fourpost init study --from rig --vehicle car.urdf\n"
       "  fourpost init coupe --suspension front=macpherson,rear=twist_beam\n"
-      "  fourpost init coupe --suspension front=macpherson,rear=twist_beam --points coupe/points.csv --replace",
+      "  fourpost init coupe --suspension front=macpherson,rear=twist_beam --points coupe/points.csv --replace\n"
+      "  fourpost init truck --chrono data/vehicle/hmmwv/vehicle/HMMWV_Vehicle.json --tyre "
+      "data/vehicle/hmmwv/tire/HMMWV_TMeasyTire.json",
       [this] {
         if (!init_.vehicle.empty()) RequireVehicleFile(init_.vehicle);
         return Run(init_);
       });
   sub->add_option("DIR", init_.folder,
-                  "New or empty folder; with --from also one without a study.yaml, with --suspension one without a "
-                  "vehicle.urdf")
+                  "New or empty folder; with --from also one without a study.yaml, with --suspension or --chrono one "
+                  "without a vehicle.urdf")
       ->required();
   CLI::Option* from = sub->add_option("--from", init_.from,
                                       "Recordings, or folders of such: draft a study of them, with channels matched to "
@@ -116,7 +118,17 @@ void Program::AddInit() {
          "of springs and dampers; without it those of a passenger car")
       ->delimiter(',')
       ->needs(suspension);
-  sub->add_flag("--replace", init_.replace, "Write over the vehicle.urdf that is there")->needs(suspension);
+  CLI::Option* chrono =
+      sub->add_option("--chrono", init_.chrono,
+                      "JSON file of a wheeled vehicle of Project Chrono, two axles: write vehicle.urdf with its points, "
+                      "masses and laws, at rest")
+          ->excludes(from)
+          ->excludes(suspension);
+  sub->add_option("--tyre", init_.tyres, "JSON file of the tyres of --chrono, or two, FRONT,REAR")
+      ->delimiter(',')
+      ->expected(1, 2)
+      ->needs(chrono);
+  sub->add_flag("--replace", init_.replace, "Write over the vehicle.urdf that is there, with --suspension or --chrono");
   sub->add_flag("--json", init_.json, "Print JSON: the folder and its files");
 }
 

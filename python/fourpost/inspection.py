@@ -239,7 +239,8 @@ def frf(recordings: Path | pd.DataFrame | Sequence[Path], *, posts: Mapping[str,
     reference: post that responses are relative to; default: the first that moves most.
     kind: "stepped", "sweep", "random", "multisine"; default: found in the posts' motion.
     low_pass: order and cut-off [Hz] of the Butterworth filter through which all was recorded.
-    frequency: F rising numbers [Hz] for sweeps and random motions; default: 64 in the band of the posts.
+    frequency: F rising numbers [Hz]; default: of sweeps and random motions 64 in the band of the posts, of stepped sines
+        those of the dwells that are found.
     beside: files of other recorders, and by how much their clocks are ahead: s, or a text with a unit.
     units: of each column of a frame.
     output: a folder for the recordings, their pictures and the section of a study.

@@ -30,7 +30,7 @@ def meshes_of(vehicle: pathlib.Path) -> list[pathlib.Path]:
     """What a vehicle file refers to; what is missing the program reports."""
     if vehicle.suffix != ".urdf":
         return []
-    names = re.findall(r"""\bfilename\s*=\s*["']([^"']+)["']""", vehicle.read_text("utf-8", "replace"))
+    names = re.findall(r"""\bfile(?:name)?\s*=\s*["']([^"']+)["']""", vehicle.read_text("utf-8", "replace"))
     paths = (vehicle.parent / re.sub(r"^(package|file)://", "", name) for name in names)
     return [pathlib.Path(os.path.abspath(path)) for path in paths if path.is_file()]
 

@@ -45,6 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fuzzed{"Vehicle", fourpost::FuzzVehicle, {"tests/fuzz/corpus/vehicle", "tests/data/broken", "urdf"}},
         Fuzzed{"Mat", fourpost::FuzzMat, {"tests/fuzz/corpus/mat"}},
         Fuzzed{"Table", fourpost::FuzzTable, {"tests/fuzz/corpus/table"}},
+        Fuzzed{"Curve", fourpost::FuzzCurve, {"tests/fuzz/corpus/curve", "tests/fuzz/corpus/table"}},
         Fuzzed{"Rpc", fourpost::FuzzRpc, {"tests/fuzz/corpus/rpc"}},
         Fuzzed{"Universal", fourpost::FuzzUniversal, {"tests/fuzz/corpus/universal", "tests/data/recordings"}},
         Fuzzed{"Tdms", fourpost::FuzzTdms, {"tests/fuzz/corpus/tdms"}},

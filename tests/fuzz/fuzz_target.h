@@ -24,6 +24,9 @@ void FuzzTdms(const std::string& bytes);
 void FuzzMdf(const std::string& bytes);
 void FuzzLvm(const std::string& bytes);
 
+/// As a file of a curve, of a spring, a damper and a bushing. What can be read rises from point to point.
+void FuzzCurve(const std::string& bytes);
+
 /// As a study beside a vehicle and a recording, which are read with it.
 void FuzzStudy(const std::string& bytes);
 

@@ -16,6 +16,33 @@ def write(name, content):
     file.write_bytes(content if isinstance(content, bytes) else content.encode())
 
 
+# Curves of springs, dampers and bushes, as tables and as Adams property files.
+
+PROPERTY_HEAD = """[MDI_HEADER]
+ FILE_TYPE  =  '{}'
+ FILE_VERSION  =  4.0
+(COMMENTS)
+{{comment_string}}
+'of the fuzzers'
+$ ---
+[UNITS]
+ LENGTH  =  'mm'
+ ANGLE   =  'degrees'
+ FORCE   =  'newton'
+ MASS    =  'kg'
+ TIME    =  'second'
+"""
+write("curve/spring_table", "extension [mm],force [kN]\n-100,-3\n-50,-1\n0,0\n")
+write("curve/damper_table", "-speed;-force\nmm/s;N\n-500;-800\n100,5;300\n")
+write("curve/spring", PROPERTY_HEAD.format("spr") +
+      "[SPRING_DATA]\n FREE_LENGTH = 320.0\n[CURVE]\n{disp force}\n-50.0 -1500.0\n0.0 0.0\n60.0 1800.0\n")
+write("curve/damper", PROPERTY_HEAD.format("dpr") +
+      "[CURVE]\n{vel force}\n-500.0 -800.0\n0.0 0.0\n500.0 2400.0 ! rebound\n")
+write("curve/bushing", PROPERTY_HEAD.format("bus") + "[DAMPING]\n" +
+      "".join(f" {name}_DAMPING = 2.0\n" for name in ("FX", "FY", "FZ", "TX", "TY", "TZ")) +
+      "".join(f"[{name}_CURVE]\n{{x f}}\n-2.0 -4000.0\n0.0 0.0\n2.0 4000.0\n"
+              for name in ("FX", "FY", "FZ", "TX", "TY", "TZ")))
+
 # MAT files of version 5 (MathWorks, "MAT-File Format"), and of version 4.
 
 def element(kind, content, order="<"):

@@ -8,6 +8,7 @@
 #include "analysis/text/count_check.h"
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
+#include "vehicles/reader/file_tags.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -35,6 +36,17 @@ void Resolve(XMLElement& element, const Vehicle& vehicle, std::span<const double
   for (XMLElement* child : Children(element)) Resolve(*child, vehicle, values);
 }
 
+/// Points in place of the file that holds them.
+void WriteOut(XMLElement& damper, const FileContent& content) {
+  XMLElement* table = damper.FirstChildElement("table");
+  tinyxml2::XMLDocument points;
+  const std::string xml = "<points>" + content.xml + "</points>";
+  if (!table || points.Parse(xml.data(), xml.size()) != tinyxml2::XML_SUCCESS) return;
+  table->DeleteAttribute("file");
+  for (const XMLElement* point : Children(*points.RootElement()))
+    table->InsertEndChild(point->ShallowClone(damper.GetDocument()));
+}
+
 }  // namespace
 
 std::string DamperText(const Vehicle& vehicle, const std::string& damper, std::span<const double> parameters) {
@@ -44,6 +56,7 @@ std::string DamperText(const Vehicle& vehicle, const std::string& damper, std::s
     throw std::invalid_argument("DamperText: vehicle '" + vehicle.name + "' has no text of a file");
   for (XMLElement* element : Children(*document.RootElement(), "fp:damper")) {
     if (AttributeText(*element, "name") != damper) continue;
+    if (const FileContent* content = ContentOf(vehicle, *element)) WriteOut(*element, *content);
     Resolve(*element, vehicle, parameters);
     tinyxml2::XMLPrinter printer;
     element->Accept(&printer);

@@ -257,6 +257,19 @@ inline const Finding kSpringPointOrder{
 inline const Finding kSpringTablePlace{
     "spring-table-place", Severity::kWarning, "{} lies beyond the ends of the table, where the spring goes straight on",
     "give the extension, in the table, of the spring in the design pose: negative where it is pushed together"};
+inline const Finding kFileMissing{"curve-file-missing", Severity::kError, "{} does not exist (no file {})",
+                                  "correct the path, which starts at the folder of the vehicle file"};
+inline const Finding kFileAndPoints{"file-and-points", Severity::kError, "{} has both a file and <point>s",
+                                    "keep one of the two"};
+inline const Finding kScaleTwice{"scale-twice", Severity::kError, "{} and {} both follow a parameter",
+                                 "write one of them as a number"};
+inline const Finding kCurvePlaceGuided{
+    "curve-place-guided", Severity::kError,
+    "{} is guided by an axis, so the free length in its file does not say where on its curve it stands", "add `at`"};
+inline const Finding kCurvePlace{
+    "curve-place", Severity::kWarning,
+    "{} is {} long in the design pose and {} free, at {} of a curve from {} to {}, beyond which it goes straight on",
+    "check its ends and the free length in the file, or add `at`"};
 inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
                                         "{} has a series spring, so its rates must be above zero"};
 inline const Finding kSeriesSaturates{"series-saturates", Severity::kError,

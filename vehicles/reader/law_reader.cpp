@@ -19,6 +19,9 @@ Scalar Times(double factor, const Scalar& scalar) {
   return {.value = factor * scalar.value, .parameter = scalar.parameter, .factor = factor * scalar.factor};
 }
 
+/// A file that could not be read is reported there, and leaves a table without points.
+bool HasFile(const Tag& table) { return AttributeText(*table.element, "file").has_value(); }
+
 }  // namespace
 
 std::optional<Tag> ChildOf(const Tag& tag, std::string_view name) {
@@ -60,23 +63,35 @@ SpringDescription LawReader::ReadSpringTable(const Tag& table) {
   SpringDescription law{.stiffness = {}, .cubic = {}, .knees = {}, .table = {}, .place = {}};
   const int errors = faults_.errors();
   law.place = parameters_.ReadScalar(table, "at");
+  const Scalar scale = parameters_.ReadScalar(table, "scale");
   for (const Tag& tag : TagsOf(*table.element, "fp:spring/table/point")) {
     const int before = faults_.errors();
-    const SpringDescription::TablePoint point{parameters_.ReadScalar(tag, "extension"),
-                                              parameters_.ReadScalar(tag, "force")};
+    const SpringDescription::TablePoint point{parameters_.ReadScalar(tag, "extension"), ReadForce(tag, table, scale)};
     if (faults_.errors() > before) continue;
     if (!law.table.empty() && (!parameters_.IsBelow(law.table.back().extension, point.extension) ||
                                !parameters_.IsBelow(law.table.back().force, point.force)))
       faults_.Report(kSpringPointOrder, tag.Line(), {tag.Text("extension"), Describe(*table.element)});
     law.table.push_back(point);
   }
-  if (law.table.size() < 2) faults_.Report(kSpringTablePoints, table.Line(), {Describe(*table.element)});
-  if (faults_.errors() == errors) CheckPlace(table, law);
+  if (TagsOf(*table.element, "fp:spring/table/point").size() < 2 && !HasFile(table))
+    faults_.Report(kSpringTablePoints, table.Line(), {Describe(*table.element)});
+  if (faults_.errors() == errors && law.table.size() > 1) CheckPlace(table, law);
   return law;
+}
+
+/// The force of a point times the table's scale. One of them may follow a parameter.
+Scalar LawReader::ReadForce(const Tag& point, const Tag& table, const Scalar& scale) {
+  const Scalar force = parameters_.ReadScalar(point, "force");
+  if (scale.parameter < 0) return scale.value == 1 ? force : Times(scale.value, force);
+  if (force.parameter < 0) return Times(force.value, scale);
+  faults_.Report(kScaleTwice, point.Line("force"), {Quoted("force", point), Quoted("scale", table)});
+  return force;
 }
 
 /// Beyond its ends a table is a guess.
 void LawReader::CheckPlace(const Tag& table, const SpringDescription& law) {
+  // A file may state a free length: PlaceOnCurves() checks then.
+  if (HasFile(table) && !AttributeText(*table.element, "at")) return;
   if (parameters_.Least(law.table.front().extension) <= parameters_.Least(law.place) &&
       parameters_.Greatest(law.place) <= parameters_.Greatest(law.table.back().extension))
     return;
@@ -139,15 +154,16 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
 void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
   dashpot.kind = DashpotDescription::Kind::kTable;
   std::vector<Tag> tags;
+  const Scalar scale = parameters_.ReadScalar(table, "scale");
   for (const Tag& tag : TagsOf(*table.element, "fp:damper/table/point")) {
     const int errors = faults_.errors();
-    const DashpotDescription::TablePoint point{parameters_.ReadScalar(tag, "speed"),
-                                               parameters_.ReadScalar(tag, "force")};
+    const DashpotDescription::TablePoint point{parameters_.ReadScalar(tag, "speed"), ReadForce(tag, table, scale)};
     if (faults_.errors() > errors) continue;
     dashpot.table.push_back(point);
     tags.push_back(tag);
   }
-  if (dashpot.table.size() < 2) faults_.Report(kTablePoints, table.Line(), {Describe(*table.element)});
+  if (TagsOf(*table.element, "fp:damper/table/point").size() < 2 && !HasFile(table))
+    faults_.Report(kTablePoints, table.Line(), {Describe(*table.element)});
   const auto pushes = [this](const DashpotDescription::TablePoint& point) { return !Resists(point); };
   const auto is_at_rest = [this](const DashpotDescription::TablePoint& point) {
     return parameters_.Least(point.speed) == 0 && parameters_.Greatest(point.speed) == 0;

@@ -27,6 +27,7 @@ class LawReader {
  private:
   void ReadKnees(const Tag& multirate, SpringDescription& law);
   SpringDescription ReadSpringTable(const Tag& table);
+  Scalar ReadForce(const Tag& point, const Tag& table, const Scalar& scale);
   void CheckPlace(const Tag& table, const SpringDescription& law);
   void ReadRates(const Tag& law, DashpotDescription& dashpot);
   void ReadTable(const Tag& table, DashpotDescription& dashpot);

@@ -8,6 +8,7 @@
 #include "vehicles/reader/body_check.h"
 #include "vehicles/reader/drake_tags.h"
 #include "vehicles/reader/element_reader.h"
+#include "vehicles/reader/file_tags.h"
 #include "vehicles/reader/findings.h"
 #include "vehicles/reader/mirror.h"
 #include "vehicles/reader/parameter_reader.h"
@@ -59,6 +60,7 @@ std::string Printed(const tinyxml2::XMLDocument& document) {
 Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults) {
   const bool has_drake = ReplaceDrakeTags(robot, faults);
   const bool has_references = ReplaceTreeReferences(robot, &faults);
+  std::vector<FileContent> contents = FillFileTags(robot, faults);
   CheckTags(robot, faults);
   TwinNames twins = AddTwins(robot, faults);
   const bool is_as_written = twins.empty() && !has_drake && !has_references;
@@ -74,6 +76,7 @@ Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults
   vehicle.file = faults.file();
   vehicle.text = text;
   vehicle.twins = std::move(twins);
+  vehicle.contents = std::move(contents);
   vehicle.parameters = parameters.parameters();
   ReadElements(robot, tree, parameters, vehicle, faults);
   if (is_sound) ReadUrdf(is_as_written ? text : Printed(*robot.GetDocument()), tree, vehicle, faults);
@@ -83,6 +86,7 @@ Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults
   Apply(bindings, vehicle);
   if (has_masses) CheckBodies(vehicle, faults);
   CheckLengths(vehicle, faults);
+  PlaceOnCurves(vehicle, faults);
   CheckDrakeBushings(robot, vehicle, faults);
   CheckWheels(vehicle, faults);
   return vehicle;

@@ -22,9 +22,10 @@ std::optional<Vehicle> ReadVehicleText(const std::string& text, const std::files
 /// Vehicle::text with other parameter values (SI, order of Vehicle::parameters), each in the unit it was written in,
 /// with the numbers of the tree that follow them, with Vehicle::parameters' sources, and without the priors that
 /// Vehicle::parameters does not have. All else is kept byte for byte. The file itself is not read again: it may have
-/// changed or been deleted. The text is meant for a file in `folder`: mesh files are named relative to it. Reading it
-/// gives the same doubles back. Values outside a parameter's bounds give a file with errors. Throws
-/// std::invalid_argument for a wrong number of values, and for a vehicle without a text.
+/// changed or been deleted. The text is meant for a file in `folder`: mesh files are named relative to it, and curves
+/// from files are written out where it is another folder than the vehicle's. Reading it gives the same doubles back.
+/// Values outside a parameter's bounds give a file with errors. Throws std::invalid_argument for a wrong number of
+/// values, and for a vehicle without a text.
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
                                   const std::filesystem::path& folder);
 

@@ -6,6 +6,7 @@
 
 #include "analysis/text/count_check.h"
 #include "analysis/text/number.h"
+#include "vehicles/reader/file_tags.h"
 #include "vehicles/reader/tree_binding.h"
 #include "vehicles/reader/tree_reference.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -25,6 +26,17 @@ class TextEdits {
   void Replace(const XMLElement& element, std::string_view attribute, const std::string& value) {
     for (const AttributePlace& place : tags_.at(index_.at(&element)).attributes)
       if (place.name == attribute) edits_[place.begin] = {place.end, Escaped(value, place.quote)};
+  }
+
+  /// Attributes behind those that stand, and content in front of that of the element.
+  void Insert(const XMLElement& element, const std::string& attributes, const std::string& content) {
+    const TagPlaces& tag = tags_.at(index_.at(&element));
+    const std::size_t end = tag.attributes.empty() ? tag.name_end : tag.attributes.back().end + 1;
+    const std::size_t close = text_.find('>', end);
+    const bool is_closed = text_[close - 1] == '/';
+    const std::string name = element.Name();
+    edits_[close - (is_closed ? 1 : 0)] = {close + 1,
+                                           attributes + ">" + content + (is_closed ? "\n    </" + name + ">" : "")};
   }
 
   /// With the blanks before it.
@@ -149,6 +161,18 @@ void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& from,
   for (const XMLElement* child : Children(element)) ReplaceMeshes(*child, from, to, edits);
 }
 
+/// Files of curves are written out, so that the text is whole wherever it goes.
+void WriteOutFiles(const XMLElement& robot, const Vehicle& vehicle, TextEdits& edits) {
+  for (const XMLElement* element : Children(robot)) {
+    const FileContent* content = ContentOf(vehicle, *element);
+    if (!content) continue;
+    const XMLElement* place = content->tag == "fp:bushing" ? element : element->FirstChildElement("table");
+    if (!place) continue;
+    edits.Remove(*place, "file");
+    edits.Insert(*place, content->at ? " at=\"" + FormatNumber(*content->at) + " m\"" : "", content->xml);
+  }
+}
+
 }  // namespace
 
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
@@ -163,7 +187,10 @@ std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double
   ReplaceTree(robot, vehicle, parameters, edits);
   const std::filesystem::path from = CanonicalPath(vehicle.file).parent_path();
   const std::filesystem::path to = CanonicalPath(folder);
-  if (from != to) ReplaceMeshes(robot, from, to, edits);
+  if (from != to) {
+    ReplaceMeshes(robot, from, to, edits);
+    WriteOutFiles(robot, vehicle, edits);
+  }
   return edits.Result();
 }
 

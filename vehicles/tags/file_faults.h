@@ -25,6 +25,11 @@ class FileFaults {
   void Report(const Found& found, int line) { Report(*found.kind, line, found.words); }
   /// Whether a further error is shown, not only counted; otherwise suggestions, which cost time, are not needed.
   bool IsShown() const { return errors_ < kMostShown; }
+  /// Findings of a file that this one names; its errors count as one of this file.
+  void Take(const Diagnostics& others) {
+    diagnostics_.Add(others);
+    if (others.HasErrors()) ++errors_;
+  }
   /// Counts an error that follows from a reported one, without reporting it.
   void Follow() { ++errors_; }
 

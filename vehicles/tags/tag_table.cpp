@@ -82,6 +82,14 @@ AttributeRule Bound(std::string_view name, std::string_view doc) {
   return {.name = name, .kind = Kind::kQuantity, .required = false, .doc = doc};
 }
 
+AttributeRule File(std::string_view doc) { return {.name = "file", .required = false, .doc = doc}; }
+
+AttributeRule Scale() {
+  return Usual("0.1", "10",
+               Measure("scale", kDimensionless, Sign::kPositive,
+                       "factor of all forces; as a parameter, a fit scales the curve", "1"));
+}
+
 std::vector<TagRule> MakeParameterTags() {
   return {
       {.path = "fp:parameter",
@@ -192,8 +200,14 @@ std::vector<TagRule> MakeSpringTags() {
        .doc = "A measured spring: a monotone cubic (Fritsch and Carlson) c through its points, straight on beyond the "
               "ends. tension = preload + c(at + x) - c(at)",
        .attributes = {Usual("", "1 m",
-                            Measure("at", kLength, Sign::kAny, "extension in the table in the design pose", "0 m")),
-                      preload, free_length}},
+                            Measure("at", kLength, Sign::kAny,
+                                    "extension in the table in the design pose; of a file that states a free length, "
+                                    "the default is the length in the design pose less that",
+                                    "0 m")),
+                      preload, free_length,
+                      File("a file with the points, instead of `<point>`: a table with columns extension and force, or "
+                           "an Adams property file (.spr)"),
+                      Scale()}},
       {.path = "fp:spring/table/point",
        .doc = "A point of the curve, in the order of rising extension and force; both are negative in bump, as "
               "from a bench that counts from the free length.",
@@ -263,7 +277,9 @@ std::vector<TagRule> MakeDamperTags() {
        .occurs = Occurs::kOneOfAll,
        .doc = "A measured curve: a monotone cubic (Fritsch and Carlson) through its points and (0, 0), straight on "
               "beyond the ends.",
-       .attributes = {}},
+       .attributes = {File("a file with the points, instead of `<point>`: a table with columns speed and force, or an "
+                           "Adams property file (.dpr)"),
+                      Scale()}},
       {.path = "fp:damper/table/point",
        .doc = "A point of the curve, in the order of rising speed and force.",
        .attributes = {Usual("", "10 m/s", Measure("speed", kVelocity, Sign::kAny, "extension rate, rebound positive")),
@@ -344,7 +360,8 @@ std::vector<TagRule> MakeBushingTags() {
                        .fallback = "none",
                        .doc = "`equilibrium`: its translations help to hold the design pose; `none`: it has no load "
                               "there",
-                       .choices = {"none", "equilibrium"}}}},
+                       .choices = {"none", "equilibrium"}},
+                      File("an Adams property file (.bus) with the rates; what is written out stands instead")}},
       {.path = "fp:bushing/translation",
        .occurs = Occurs::kAtMostOnce,
        .doc = "force = stiffness times displacement of the child's point",

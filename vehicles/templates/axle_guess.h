@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "vehicles/templates/axle_knowledge.h"
+
 namespace fourpost {
 
 /// What a drawing of points does not say of one axle; SI.
@@ -13,6 +15,8 @@ struct AxleGuess {
   double damper_ratio = 1;
   /// The same of the spring, which the source of its rate states.
   double spring_ratio = 1;
+  /// What is known stands.
+  KnownAxle known;
 };
 
 /// Front and rear.

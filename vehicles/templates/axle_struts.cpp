@@ -30,23 +30,54 @@ void AxleWriter::StrutOf(std::string_view top, std::string_view bottom, std::str
 
 void AxleWriter::CoilAndDamper(const std::string& top, const std::string& bottom) {
   const std::string rate = "k_" + points_.axle;
-  text_ += "  <fp:spring name=\"" + Name("coil") + "\" parent=\"" + top + "\" child=\"" + bottom +
-           "\">\n    <linear stiffness=\"$" + rate + "\"/>\n  </fp:spring>\n";
-  if (!points_.kind->Find("damper_top") || !points_.Has("damper_top")) return DamperAndStops(top, bottom);
-  const std::string damper_top = Frame("body", "damper_top");
-  DamperAndStops(damper_top, Frame(CarrierOf("damper_bottom"), "damper_bottom"));
+  const std::string law = guess_.known.spring ? guess_.known.spring->tags : "<linear stiffness=\"$" + rate + "\"/>";
+  text_ += "  <fp:spring name=\"" + Name("coil") + "\" parent=\"" + top + "\" child=\"" + bottom + "\">\n    " + law +
+           "\n  </fp:spring>\n";
+  if (!points_.kind->Find("damper_top") || !points_.Has("damper_top")) {
+    Damper(top, bottom);
+    Stops(top, bottom);
+  } else {
+    const std::string damper_top = Frame("body", "damper_top");
+    const std::string damper_bottom = Frame(CarrierOf("damper_bottom"), "damper_bottom");
+    Damper(damper_top, damper_bottom);
+    // A model states stops with the spring.
+    if (guess_.known.spring) Stops(top, bottom);
+    else Stops(damper_top, damper_bottom);
+  }
+  AddRates();
 }
 
-void AxleWriter::DamperAndStops(const std::string& top, const std::string& bottom) {
+void AxleWriter::Damper(const std::string& top, const std::string& bottom) {
   damper_top_ = top;
   damper_bottom_ = bottom;
-  const std::string ends = " parent=\"" + top + "\" child=\"" + bottom + "\"";
   const std::string c = "c_" + points_.axle;
-  text_ += "  <fp:damper name=\"" + Name("damper") + "\"" + ends + ">\n    <bilinear bump=\"$" + c +
-           "_bump\" rebound=\"$" + c + "_rebound\"/>\n  </fp:damper>\n";
-  text_ += "  <fp:stop name=\"" + Name("stops") + "\"" + ends + ">\n    <bump gap=\"" +
-           InMm(0.06 * guess_.damper_ratio) + "\" stiffness=\"50 N/mm\" cubic=\"0.5 N/mm^3\"/>\n    <rebound gap=\"" +
-           InMm(0.07 * guess_.damper_ratio) + "\" stiffness=\"200 N/mm\"/>\n  </fp:stop>\n";
+  const std::string law = guess_.known.damper ? guess_.known.damper->tags
+                                              : "<bilinear bump=\"$" + c + "_bump\" rebound=\"$" + c + "_rebound\"/>";
+  text_ += "  <fp:damper name=\"" + Name("damper") + "\" parent=\"" + top + "\" child=\"" + bottom + "\">\n    " + law +
+           "\n  </fp:damper>\n";
+}
+
+void AxleWriter::Stops(const std::string& top, const std::string& bottom) {
+  // A model without stops has none.
+  if (guess_.known.spring && !guess_.known.stops) return;
+  const std::string law = guess_.known.stops
+                              ? guess_.known.stops->tags
+                              : "<bump gap=\"" + InMm(0.06 * guess_.damper_ratio) +
+                                    "\" stiffness=\"50 N/mm\" cubic=\"0.5 N/mm^3\"/>\n    <rebound gap=\"" +
+                                    InMm(0.07 * guess_.damper_ratio) + "\" stiffness=\"200 N/mm\"/>";
+  text_ += "  <fp:stop name=\"" + Name("stops") + "\" parent=\"" + top + "\" child=\"" + bottom + "\">\n    " + law +
+           "\n  </fp:stop>\n";
+}
+
+void AxleWriter::AddRates() {
+  const KnownAxle& known = guess_.known;
+  for (const auto* law : {&known.spring, &known.damper})
+    for (const ParameterText& parameter : *law ? (*law)->parameters : std::vector<ParameterText>()) Add(parameter);
+  if (!known.spring) AddSpringRate();
+  if (!known.damper) AddDamperRates();
+}
+
+void AxleWriter::AddSpringRate() {
   const double k = TwoDigits(guess_.spring_rate * 1e-3);
   Add(ParameterText{.name = "k_" + points_.axle,
                     .value = k,
@@ -58,6 +89,10 @@ void AxleWriter::DamperAndStops(const std::string& top, const std::string& botto
                               std::string(points_.axle == "front" ? "1.2" : "1.4") + " Hz at a motion ratio of " +
                               FormatNumber(std::round(guess_.spring_ratio * 100), -2) +
                               "; passenger cars have 1 to 1.5 Hz (Gillespie 1992)"});
+}
+
+void AxleWriter::AddDamperRates() {
+  const std::string c = "c_" + points_.axle;
   const double rate = guess_.damper_rate;
   const auto damper = [&](const char* direction, double share) {
     const double value = TwoDigits(share * rate);
@@ -81,6 +116,7 @@ void AxleWriter::AntiRollBar() {
   text_ += "  <fp:antiroll name=\"" + Name("bar", false) + "\" stiffness=\"$k_" + points_.axle +
            "_bar\">\n    <left parent=\"" + end + "\" child=\"" + link + "\"/>\n    <right parent=\"" + right(end) +
            "\" child=\"" + right(link) + "\"/>\n  </fp:antiroll>\n";
+  if (guess_.known.bar_rate) return Add(*guess_.known.bar_rate);
   Add(ParameterText{.name = "k_" + points_.axle + "_bar",
                     .value = points_.axle == "front" ? 12.0 : 6.0,
                     .lower = 0,
@@ -101,10 +137,12 @@ void AxleWriter::Tyre() {
   const std::string kt = "kt_" + points_.axle;
   text_ += "  <fp:tyre name=\"" + Name("tyre") + "\" link=\"" + Full(part) + "\" xyz=\"" +
            XyzText(points_.At("wheel_centre") - parts_.find(part)->second.origin) + "\" radius=\"" +
-           FormatNumber(std::round(Radius() * 1e9), -9) + " m\" stiffness=\"$" + kt +
-           "\" damping=\"100 N*s/m\"\n           lateral=\"120 kN/m\" longitudinal=\"5 kN/m\" lateral_damping=\"500 "
+           FormatNumber(std::round(Radius() * 1e9), -9) + " m\" stiffness=\"$" + kt + "\" damping=\"" +
+           FormatNumber(guess_.known.tyre_damping.value_or(100)) +
+           " N*s/m\"\n           lateral=\"120 kN/m\" longitudinal=\"5 kN/m\" lateral_damping=\"500 "
            "N*s/m\" longitudinal_damping=\"300 N*s/m\"/>\n  <fp:post name=\"" +
            Name("post") + "\" under=\"" + Name("tyre") + "\"/>\n";
+  if (guess_.known.tyre_rate) return Add(*guess_.known.tyre_rate);
   Add(ParameterText{.name = kt,
                     .value = 200,
                     .lower = 120,

@@ -14,9 +14,11 @@ using Eigen::Vector3d;
 /// To a nanometre.
 std::string NumberText(double value) { return FormatNumber(std::round(value * 1e9) + 0.0, -9); }
 
-std::string InertiaText(const Eigen::Matrix3d& inertia) {
+/// Estimates to a ten-thousandth.
+std::string InertiaText(const Eigen::Matrix3d& inertia, bool is_known) {
   const auto entry = [&](const char* name, int i, int j) {
-    return std::string(" ") + name + "=\"" + NumberText(std::round(inertia(i, j) * 1e4) * 1e-4) + "\"";
+    const double shown = is_known ? inertia(i, j) : std::round(inertia(i, j) * 1e4) * 1e-4;
+    return std::string(" ") + name + "=\"" + NumberText(shown) + "\"";
   };
   return "<inertia" + entry("ixx", 0, 0) + entry("iyy", 1, 1) + entry("izz", 2, 2) + entry("ixy", 0, 1) +
          entry("ixz", 0, 2) + entry("iyz", 1, 2) + "/>";
@@ -79,18 +81,26 @@ std::string AxleWriter::CarrierOf(std::string_view point) const {
 
 void AxleWriter::Comment(std::string_view text) { text_ += "\n  <!-- " + std::string(text) + " -->\n"; }
 
+const KnownBody* AxleWriter::KnownPart(std::string_view part) const {
+  const auto found = guess_.known.bodies.find(part);
+  return found == guess_.known.bodies.end() ? nullptr : &found->second;
+}
+
 void AxleWriter::Body(std::string_view part, double mass, const std::vector<Vector3d>& places, bool has_side) {
   auto& entry = parts_[std::string(part)];
   entry.has_side = has_side;
-  if (places.empty()) {
+  const KnownBody* const known = KnownPart(part);
+  if (places.empty() && !known) {
     text_ += "  <link name=\"" + Name(part, has_side) + "\"/>\n";
     return;
   }
   Vector3d centre = Vector3d::Zero();
   for (const Vector3d& place : places) centre += place / static_cast<double>(places.size());
+  if (known) centre = known->com;
+  const Eigen::Matrix3d inertia = known ? known->inertia : InertiaOf(mass, places, centre);
   text_ += "  <link name=\"" + Name(part, has_side) + "\">\n    <inertial>\n      <origin xyz=\"" +
-           XyzText(centre - entry.origin) + "\"/>\n      <mass value=\"" + FormatNumber(mass) + "\"/>\n      " +
-           InertiaText(InertiaOf(mass, places, centre)) + "\n    </inertial>\n";
+           XyzText(centre - entry.origin) + "\"/>\n      <mass value=\"" + NumberText(known ? known->mass : mass) +
+           "\"/>\n      " + InertiaText(inertia, known != nullptr) + "\n    </inertial>\n";
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
     text_ += BarText(places[i] - entry.origin, places.back() - entry.origin);
   text_ += "  </link>\n";
@@ -174,7 +184,8 @@ void AxleWriter::LinkOnBush(std::string_view name, std::string_view inner, std::
 }
 
 void AxleWriter::Wheel(std::string_view carrier) {
-  const double mass = points_.axle == "front" ? 38 : 35;
+  const KnownBody* const known = KnownPart("wheel");
+  const double mass = known ? known->mass : points_.axle == "front" ? 38 : 35;
   const Vector3d& centre = points_.At("wheel_centre");
   const double r2 = height_ * height_;
   Vector3d turn = Vector3d::Zero();
@@ -183,9 +194,12 @@ void AxleWriter::Wheel(std::string_view carrier) {
     turn = {std::asin(axis.z()), 0, std::atan2(-axis.x(), axis.y())};
   }
   const std::string parameter = "m_" + points_.axle + "_wheel";
-  text_ += "  <link name=\"" + Name("wheel") + "\">\n    <inertial>\n      <mass value=\"$" + parameter +
-           "\"/>\n      " +
-           InertiaText(Vector3d(0.17, 0.28, 0.17).asDiagonal() * (mass * r2 * Eigen::Matrix3d::Identity())) +
+  const Eigen::Matrix3d inertia =
+      known ? known->inertia : Vector3d(0.17, 0.28, 0.17).asDiagonal() * (mass * r2 * Eigen::Matrix3d::Identity());
+  const std::string offset =
+      known && !known->com.isApprox(centre) ? "      <origin xyz=\"" + XyzText(known->com - centre) + "\"/>\n" : "";
+  text_ += "  <link name=\"" + Name("wheel") + "\">\n    <inertial>\n" + offset + "      <mass value=\"$" + parameter +
+           "\"/>\n      " + InertiaText(inertia, known != nullptr) +
            "\n    </inertial>\n    <visual>\n      <origin xyz=\"0 0 0\" rpy=\"1.5708 0 0\"/>\n      "
            "<geometry><cylinder radius=\"" +
            NumberText(std::round(height_ * 1e3) * 1e-3) + "\" length=\"0.2\"/></geometry>\n    </visual>\n  </link>\n";
@@ -201,47 +215,57 @@ void AxleWriter::Wheel(std::string_view carrier) {
       .upper = std::round(1.8 * mass),
       .precision = 0.1,
       .unit = "kg",
-      .source = "estimate, of a passenger car: one side, wheel with hub, brake and knuckle, without arms"});
+      .source = known ? guess_.known.source + ": spindle, wheel and tyre of one side"
+                      : "estimate, of a passenger car: one side, wheel with hub, brake and knuckle, without arms"});
 }
 
 void AxleWriter::BeamAxle() {
-  const double mass = 120;
+  BeamAxleAt(Vector3d::Zero());
+  Floating("axle", false);
+}
+
+void AxleWriter::BeamAxleAt(const Vector3d& origin) {
+  const KnownBody* const known = KnownPart("axle");
+  const double mass = known ? known->mass : 120;
   const Vector3d& centre = points_.At("wheel_centre");
   const double track = 2 * centre.y();
   // A beam of 60 kg and two wheels of 30 kg.
-  const double roll = std::round(60 * track * track / 12 + 60 * track * track / 4);
-  parts_["axle"] = {Vector3d::Zero(), false};
+  const double roll = known ? known->inertia(0, 0) : std::round(60 * track * track / 12 + 60 * track * track / 4);
+  parts_["axle"] = {origin, false};
+  const Vector3d middle(centre.x(), 0, centre.z());
   const std::string name = Name("axle", false);
   const std::string mass_name = "m_" + points_.axle + "_axle";
   const std::string roll_name = "I_" + points_.axle + "_axle";
   const auto wheel = [&](double side) {
-    return "    <visual>\n      <origin xyz=\"" + XyzText({centre.x(), side * centre.y(), centre.z()}) +
+    return "    <visual>\n      <origin xyz=\"" + XyzText(middle + Vector3d(0, side * centre.y(), 0) - origin) +
            "\" rpy=\"1.5708 0 0\"/>\n      <geometry><cylinder radius=\"" +
            NumberText(std::round(height_ * 1e3) * 1e-3) + "\" length=\"0.2\"/></geometry>\n    </visual>\n";
   };
+  // Alike in roll and yaw, as rods across the car are.
+  const std::string pitch = known ? NumberText(known->inertia(1, 1)) : "3";
   text_ += "  <link name=\"" + name + "\">\n    <inertial>\n      <origin xyz=\"" +
-           XyzText({centre.x(), 0, centre.z()}) + "\"/>\n      <mass value=\"$" + mass_name +
-           "\"/>\n      <inertia ixx=\"$" + roll_name + "\" iyy=\"3\" izz=\"$" + roll_name +
+           XyzText((known ? known->com : middle) - origin) + "\"/>\n      <mass value=\"$" + mass_name +
+           "\"/>\n      <inertia ixx=\"$" + roll_name + "\" iyy=\"" + pitch + "\" izz=\"$" + roll_name +
            "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n" + wheel(1) + wheel(-1) +
-           "    <visual>\n      <origin xyz=\"" + XyzText({centre.x(), 0, centre.z()}) +
-           "\"/>\n      <geometry><box size=\"0.08 " + NumberText(track) +
-           " 0.08\"/></geometry>\n    </visual>\n  </link>\n";
-  Floating("axle", false);
+           "    <visual>\n      <origin xyz=\"" + XyzText(middle - origin) + "\"/>\n      <geometry><box size=\"0.08 " +
+           NumberText(track) + " 0.08\"/></geometry>\n    </visual>\n  </link>\n";
   Add(ParameterText{
       .name = mass_name,
       .value = mass,
-      .lower = 70,
-      .upper = 300,
+      .lower = known ? std::round(0.7 * mass) : 70,
+      .upper = known ? std::round(1.4 * mass) : 300,
       .precision = 0.1,
       .unit = "kg",
-      .source = "estimate, of a passenger car: axle with wheels, half the links; 200 to 300 kg off road"});
+      .source = known ? guess_.known.source + ": axle with wheels and half the links"
+                      : "estimate, of a passenger car: axle with wheels, half the links; 200 to 300 kg off road"});
   Add(ParameterText{.name = roll_name,
                     .value = roll,
                     .lower = std::round(0.4 * roll),
                     .upper = std::round(3 * roll),
                     .precision = 0.1,
                     .unit = "kg*m^2",
-                    .source = "estimate: half the mass spread over the track, half in the wheels"});
+                    .source = known ? guess_.known.source + ": of all its parts"
+                                    : "estimate: half the mass spread over the track, half in the wheels"});
 }
 
 }  // namespace fourpost

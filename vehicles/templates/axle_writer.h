@@ -9,23 +9,12 @@
 
 #include "vehicles/templates/axle_guess.h"
 #include "vehicles/templates/axle_points.h"
+#include "vehicles/templates/parameter_text.h"
 
 namespace fourpost {
 
 /// "0.15 -0.36 0.22", to a nanometre.
 std::string XyzText(const Eigen::Vector3d& xyz);
-
-/// A parameter of the file; numbers in `unit`.
-struct ParameterText {
-  std::string name;
-  double value = 0;
-  double lower = 0;
-  double upper = 0;
-  double precision = 0;
-  std::string unit;
-  std::string source;
-};
-std::string Text(const ParameterText& parameter);
 
 /// Writes the links, joints and tags of one axle. Parts and points have short names, such as "lower_arm" and
 /// "lower_ball"; in the file they stand as "front_lower_arm_left". All parts but arms have the axes and origin of the
@@ -48,7 +37,7 @@ class AxleWriter {
 
   /// A part with mass spread over these points; none without points.
   void Body(std::string_view part, double mass, const std::vector<Eigen::Vector3d>& places, bool has_side = true);
-  /// One without mass.
+  /// One without mass, unless its mass is known.
   void Empty(std::string_view part) { Body(part, 0, {}); }
   /// Its six degrees of freedom, axes of the body.
   void Floating(std::string_view part, bool has_side = true);
@@ -73,6 +62,8 @@ class AxleWriter {
   void Wheel(std::string_view carrier);
   /// A beam axle with its wheels, on the body by a joint of six degrees of freedom.
   void BeamAxle();
+  /// The same without its joint, with its frame at `origin`, in the drawing's axes.
+  void BeamAxleAt(const Eigen::Vector3d& origin);
 
   /// Coil, damper, stops, anti-roll bar, tyre, post, sensors.
   void Struts();
@@ -87,7 +78,13 @@ class AxleWriter {
   bool HasSide(std::string_view part) const;
   std::string CarrierOf(std::string_view point) const;
   std::string EndsOf(std::string_view tag, std::string_view name, const std::string& parent, const std::string& child);
-  void DamperAndStops(const std::string& top, const std::string& bottom);
+  void Damper(const std::string& top, const std::string& bottom);
+  void Stops(const std::string& top, const std::string& bottom);
+  void AddRates();
+  void AddSpringRate();
+  void AddDamperRates();
+  /// nullptr where it is not known.
+  const KnownBody* KnownPart(std::string_view part) const;
   void AntiRollBar();
   /// Of the wheel's centre above the ground, along the wheel [m].
   double Radius() const;

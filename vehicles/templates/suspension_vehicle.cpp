@@ -53,31 +53,69 @@ struct BodyGuess {
   double mass = kBodyMass;
   double x = 0;
   bool is_weighed = false;
+  std::optional<KnownBody> known = {};
 };
 
-std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPose& ground) {
+/// A body of a model, with its source. Its yaw inertia follows the one in pitch. Bounds keep it a possible body, whose
+/// largest moment is at most the sum of the others: with r = |I_yaw - I_pitch| / I_roll, a = (1 + r) / 2 of I_roll and
+/// b = (3 - r) / 2 of I_pitch at the other's bound, a - b r = (1 - r)^2 / 2.
+std::string KnownBodyText(const KnownBody& body, const std::string& source) {
+  const auto bounded = [&](const char* name, double value, double lower, double upper, const char* unit,
+                           const char* what) {
+    return Text({.name = name,
+                 .value = value,
+                 .lower = lower * value,
+                 .upper = upper * value,
+                 .precision = 0.1,
+                 .unit = unit,
+                 .source = source + ": " + what});
+  };
+  std::string text = bounded("m_body", body.mass, 0.7, 1.3, "kg", "chassis with all that is fixed to it");
+  const double x = std::round(1e4 * body.com.x()) * 0.1;
+  text += Text({.name = "x_body",
+                .value = x,
+                .lower = x - 300,
+                .upper = x + 300,
+                .precision = 0.1,
+                .unit = "mm",
+                .source = source + ": centre of mass"});
+  const double r = std::min(0.9, std::abs(body.inertia(2, 2) - body.inertia(1, 1)) / body.inertia(0, 0));
+  text += bounded("I_pitch", body.inertia(1, 1), 0.6, 0.5 * (3 - r), "kg*m^2", "chassis; the yaw inertia follows it");
+  return text + bounded("I_roll", body.inertia(0, 0), 0.5 * (1 + r), 1.5, "kg*m^2", "chassis");
+}
+
+std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPose& ground, const std::string& origin) {
   const Eigen::Vector3d front = car[0].At("wheel_centre");
   const Eigen::Vector3d rear = car[1].At("wheel_centre");
   const double wheelbase = front.x() - rear.x();
   const double track = front.y() + rear.y();
   const double x = std::round(1e4 * body.x) * 1e-4;
   const double mass = std::round(10 * body.mass) * 0.1;
-  const double z = std::round(1e3 * (0.5 * (car[0].At("contact").z() + car[1].At("contact").z()) + kBodyHeight)) * 1e-3;
+  const double guessed_z = 0.5 * (car[0].At("contact").z() + car[1].At("contact").z()) + kBodyHeight;
+  const double z = std::round(1e3 * (body.known ? body.known->com.z() : guessed_z)) * 1e-3;
+  const std::string y = body.known ? Fixed(body.known->com.y(), 4) : "0";
   // Dynamic index 0.9; radius of gyration in roll 0.38 of the mean track.
   const double pitch = std::round(0.9 * mass * (front.x() - x) * (x - rear.x()));
   const double roll = std::round(mass * 0.38 * 0.38 * track * track);
-  std::string text = "\n  <!-- Body with engine and two people; its axes and origin are those of the drawing. -->\n";
-  text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"$x_body 0 " +
-          Fixed(z, 3) +
-          "\"/>\n      <mass value=\"$m_body\"/>\n      <inertia ixx=\"$I_roll\" iyy=\"$I_pitch\" "
-          "izz=\"$I_pitch\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" +
-          XyzText({x, 0, z + 0.05}) + "\"/>\n      <geometry><box size=\"" + Fixed(wheelbase + 1, 2) + " " +
-          Fixed(0.5 * track, 2) + " 0.4\"/></geometry>\n    </visual>\n  </link>\n";
+  const std::string turns = body.known ? "izz=\"" + Fixed(body.known->inertia(2, 2) / body.known->inertia(1, 1), 6) +
+                                             "*$I_pitch\" ixy=\"" + Fixed(body.known->inertia(0, 1), 2) + "\" ixz=\"" +
+                                             Fixed(body.known->inertia(0, 2), 2) + "\" iyz=\"" +
+                                             Fixed(body.known->inertia(1, 2), 2) + "\""
+                                       : "izz=\"$I_pitch\" ixy=\"0\" ixz=\"0\" iyz=\"0\"";
+  std::string text = body.known ? "\n  <!-- Body; its axes and origin are those of the model. -->\n"
+                                : "\n  <!-- Body with engine and two people; its axes and origin are those of the "
+                                  "drawing. -->\n";
+  text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"$x_body " + y + " " +
+          Fixed(z, 3) + "\"/>\n      <mass value=\"$m_body\"/>\n      <inertia ixx=\"$I_roll\" iyy=\"$I_pitch\" " +
+          turns + "/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" + XyzText({x, 0, z + 0.05}) +
+          "\"/>\n      <geometry><box size=\"" + Fixed(wheelbase + 1, 2) + " " + Fixed(0.5 * track, 2) +
+          " 0.4\"/></geometry>\n    </visual>\n  </link>\n";
   text +=
       "  <joint name=\"body\" type=\"floating\">\n    <parent link=\"ground\"/><child link=\"body\"/><origin xyz=\"0 "
       "0 " +
       Fixed(ground.rise, 9) + "\"" +
       (std::abs(ground.pitch) > 1e-9 ? " rpy=\"0 " + Fixed(ground.pitch, 9) + " 0\"" : "") + "/>\n  </joint>\n";
+  if (body.known) return text + KnownBodyText(*body.known, origin);
   text += Text({.name = "m_body",
                 .value = mass,
                 .lower = std::round((body.is_weighed ? 0.95 : 0.6) * mass),
@@ -113,10 +151,10 @@ std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPo
   return text;
 }
 
-std::string HeadText(const CarPoints& car, const std::string& name, const std::string& source) {
-  return "<?xml version=\"1.0\"?>\n<!-- Written by `fourpost init --suspension front=" +
-         std::string(car[0].kind->name) + ",rear=" + std::string(car[1].kind->name) + "`.\n     Points: " + source +
-         ". Masses, inertias and rates are estimates, each with its source: replace them by what you know.\n     Axes: "
+/// `origin`: of points and numbers, in one line.
+std::string HeadText(const std::string& command, const std::string& name, const std::string& origin) {
+  return "<?xml version=\"1.0\"?>\n<!-- Written by `" + command + "`.\n     " + origin +
+         "\n     Axes: "
          "x "
          "forward, y left, z up. The body has axes and origin of the drawing, so that points of body, knuckles\n     "
          "and "
@@ -125,10 +163,18 @@ std::string HeadText(const CarPoints& car, const std::string& name, const std::s
          name + "\" xmlns:fp=\"urn:fourpost:vehicle:1\">\n\n  <fp:mirror from=\"_left\" to=\"_right\"/>\n";
 }
 
+/// What stands on top of a file, and what its numbers are from.
+struct CarOrigin {
+  std::string command;
+  std::string text;
+  /// Of a model.
+  std::string source = {};
+};
+
 std::string CarText(const CarPoints& car, const BodyGuess& body, const CarGuess& guess, const std::string& name,
-                    const std::string& source) {
+                    const CarOrigin& origin) {
   const GroundPose ground = GroundOf(car);
-  std::string text = HeadText(car, name, source) + BodyText(car, body, ground);
+  std::string text = HeadText(origin.command, name, origin.text) + BodyText(car, body, ground, origin.source);
   for (std::size_t i = 0; i < car.size(); ++i) {
     AxleWriter axle(car[i], guess[i], ground.HeightOf(car[i].At("wheel_centre")));
     axle.Comment((i == 0 ? "FRONT: " : "REAR: ") + std::string(car[i].kind->summary) + ".");
@@ -183,13 +229,14 @@ BodyGuess Weighed(const CarPoints& points, const BodyGuess& body, const ReadCar&
 }
 
 /// Rates for the ride that is usual, at the motion ratios of the car as written.
-CarGuess GuessFor(const CarPoints& points, const ReadCar& car, const std::string& file, Diagnostics& diagnostics) {
-  CarGuess guess;
+CarGuess GuessFor(const CarPoints& points, const ReadCar& car, CarGuess guess, const std::string& file,
+                  Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     AxleGuess& axle = guess[i];
     const std::size_t tyre = IndexOf(car.vehicle.tyres, points[i].axle + "_tyre_left");
     const double mass = car.summary.chassis.corners.at(tyre).sprung_kg.value_or(0.25 * kBodyMass);
     const RideGeometry& ride = car.summary.ride;
+    if (axle.known.spring && axle.known.damper) continue;
     const double spring = RatioOf(ride.springs, IndexOf(car.vehicle.springs, points[i].axle + "_coil_left"));
     const double damper = RatioOf(ride.dampers, IndexOf(car.vehicle.dampers, points[i].axle + "_damper_left"));
     axle.spring_ratio = UsableRatio(spring, points[i], "spring", file, diagnostics);
@@ -211,16 +258,26 @@ void ReportSlope(const CarPoints& car, const std::string& source, Diagnostics& d
 
 std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+void ReportFault(const FaultyInput& faults, const std::string& file, Diagnostics& diagnostics) {
+  const std::vector<Diagnostic> items = faults.diagnostics().ByWeight();
+  diagnostics.Report(kSuspensionDoesNotWork, {file}, {items.empty() ? faults.what() : FirstLine(items[0].message)});
+}
+
 }  // namespace
 
 std::string SuspensionVehicleText(const CarPoints& points, const std::optional<AxleLoads>& loads,
                                   const std::string& name, const std::string& source, const std::string& file,
                                   Diagnostics& diagnostics) {
   ReportSlope(points, file, diagnostics);
+  const CarOrigin origin = {
+      .command = "fourpost init --suspension front=" + std::string(points[0].kind->name) +
+                 ",rear=" + std::string(points[1].kind->name),
+      .text = "Points: " + source +
+              ". Masses, inertias and rates are estimates, each with its source: replace them by what you know."};
   try {
     BodyGuess body;
     body.x = 0.5 * (points[0].At("wheel_centre").x() + points[1].At("wheel_centre").x());
-    ReadCar car = Read(CarText(points, body, {}, name, source), file);
+    ReadCar car = Read(CarText(points, body, {}, name, origin), file);
     // Again for the share of heights in loads, where the drawing is tilted.
     for (int i = 0; loads && i < 2; ++i) {
       body = Weighed(points, body, car, *loads);
@@ -228,12 +285,35 @@ std::string SuspensionVehicleText(const CarPoints& points, const std::optional<A
         diagnostics.Report(kAxleLoadsTooSmall, Place::Option("--load"), {Fixed(body.mass, 0) + " kg"});
         return {};
       }
-      car = Read(CarText(points, body, {}, name, source), file);
+      car = Read(CarText(points, body, {}, name, origin), file);
     }
-    return CarText(points, body, GuessFor(points, car, file, diagnostics), name, source);
+    return CarText(points, body, GuessFor(points, car, {}, file, diagnostics), name, origin);
   } catch (const FaultyInput& faults) {
-    const std::vector<Diagnostic> items = faults.diagnostics().ByWeight();
-    diagnostics.Report(kSuspensionDoesNotWork, {file}, {items.empty() ? faults.what() : FirstLine(items[0].message)});
+    ReportFault(faults, file, diagnostics);
+    return {};
+  }
+}
+
+std::string KnownVehicleText(const CarPoints& points, const KnownCar& known, const std::string& name,
+                             const std::string& file, StatedLoads loads, Diagnostics& diagnostics) {
+  const CarOrigin origin = {.command = known.command, .text = known.source, .source = known.axles[0].source};
+  CarGuess guess;
+  for (std::size_t i = 0; i < guess.size(); ++i) guess[i].known = known.axles[i];
+  try {
+    BodyGuess body;
+    body.known = known.body;
+    body.x = known.body ? known.body->com.x() : 0;
+    body.mass = known.body ? known.body->mass : kBodyMass;
+    std::string text = CarText(points, body, guess, name, origin);
+    ReadCar car = Read(text, file);
+    CarGuess rates = GuessFor(points, car, guess, file, diagnostics);
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+      std::optional<KnownLaw>& spring = rates[i].known.spring;
+      if (loads == StatedLoads::kAsStated && spring) spring->tags = spring->loaded;
+    }
+    return CarText(points, body, rates, name, origin);
+  } catch (const FaultyInput& faults) {
+    ReportFault(faults, file, diagnostics);
     return {};
   }
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/text/diagnostics.h"
+#include "vehicles/templates/axle_knowledge.h"
 #include "vehicles/templates/axle_points.h"
 
 namespace fourpost {
@@ -20,5 +21,12 @@ using AxleLoads = std::array<double, 2>;
 std::string SuspensionVehicleText(const CarPoints& points, const std::optional<AxleLoads>& loads,
                                   const std::string& name, const std::string& source, const std::string& file,
                                   Diagnostics& diagnostics);
+
+/// Whether springs carry what a model states, so that the file need not be at rest as drawn.
+enum class StatedLoads { kLeftToEquilibrium, kAsStated };
+
+/// The same of a model that knows masses, rates and laws; estimates stand for what it leaves out.
+std::string KnownVehicleText(const CarPoints& points, const KnownCar& known, const std::string& name,
+                             const std::string& file, StatedLoads loads, Diagnostics& diagnostics);
 
 }  // namespace fourpost
