@@ -137,7 +137,7 @@ class Experiment {
     return Geometry::kGood;
   }
   virtual void Correct() {}
-  /// As another one of the same study was by its last Correct().
+  /// As another one of the same study was by its last Correct(), with what its Prepare() found.
   virtual void CorrectAs(const Experiment&) {}
 
   virtual ExperimentResults Results(const Subject& subject, const FitResult& fit) const = 0;

@@ -27,13 +27,12 @@ struct Slopes {
 double StepOf(const Archive& archive) { return StepFor(archive.problem().accuracy, Differences::kCentral); }
 
 /// Nothing where a point has no answer.
-std::optional<Slopes> SlopesAt(Archive& archive, const Eigen::VectorXd& values) {
+std::optional<Slopes> SlopesAt(Archive& archive, const Eigen::VectorXd& values, Differences differences) {
   const FitVariables variables(archive.lattice());
   Slopes slopes{variables.FromValues(values), archive.EvaluateValues({values}).front(), {}};
   if (!slopes.here.ok()) return std::nullopt;
-  // A model's own derivatives may be good for steps only; too rough to distinguish a small slope from none.
   std::optional<Eigen::MatrixXd> jacobian =
-      DifferenceJacobian(archive, variables, slopes.x, slopes.here.residuals, StepOf(archive), Differences::kCentral);
+      DifferenceJacobian(archive, variables, slopes.x, slopes.here.residuals, StepOf(archive), differences);
   if (!jacobian) return std::nullopt;
   slopes.jacobian = *std::move(jacobian);
   return slopes;
@@ -78,11 +77,13 @@ std::vector<std::string> WeakestDirections(const Lattice& lattice, const Covaria
   return weakest;
 }
 
-std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
-                                                     std::uint64_t seed) {
+namespace {
+
+std::optional<Identifiability> IdentifiabilityBy(Differences differences, Archive& archive,
+                                                 const VehicleObjective& objective, std::uint64_t seed) {
   constexpr int kOtherPoints = 2;
   const Eigen::VectorXd values = objective.FileValues();
-  const std::optional<Slopes> here = SlopesAt(archive, values);
+  const std::optional<Slopes> here = SlopesAt(archive, values, differences);
   if (!here) return std::nullopt;
   const double cost = here->here.cost();
   const Eigen::Index count = here->jacobian.rows() - objective.prior_count();
@@ -99,7 +100,7 @@ std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const Veh
   for (int k = 0; k < kOtherPoints && before.HasUndetermined(); ++k) {
     Draws draws(seed, DrawPurpose::kProbe, k, 0);
     const LatticePoint point = RandomPoint(archive.lattice(), draws);
-    const std::optional<Slopes> there = SlopesAt(archive, archive.lattice().Values(point));
+    const std::optional<Slopes> there = SlopesAt(archive, archive.lattice().Values(point), differences);
     if (!there) continue;
     const auto rows = there->jacobian.topRows(count);
     Eigen::MatrixXd both(data.rows() + count, data.cols());
@@ -111,6 +112,19 @@ std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const Veh
   if (before.HasUndetermined())
     if (const std::vector<Eigen::Index> noisy = NoisyOf(archive, *here); !noisy.empty()) before = judged(noisy);
   return before;
+}
+
+}  // namespace
+
+// A model's own derivatives are exact for what it leaves out of them: parameters that do the same have the same slopes,
+// and those that do nothing have none. But they may be too rough to distinguish a small slope from none.
+std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
+                                                     std::uint64_t seed) {
+  if (archive.problem().differentiate) {
+    std::optional<Identifiability> before = IdentifiabilityBy(Differences::kAutomatic, archive, objective, seed);
+    if (before && !before->HasUndetermined()) return before;
+  }
+  return IdentifiabilityBy(Differences::kCentral, archive, objective, seed);
 }
 
 }  // namespace fourpost

@@ -107,7 +107,7 @@ PossibleRun ReadingsOf(const RigRun& run, const AnsweredRun& answer, const Vehic
       Eigen::RowVectorXd across(p);
       Eigen::RowVectorXd mean(p);
       for (Index j = 0; j < p; ++j) {
-        const ChannelResponse& slope = sensitivity.by_parameter[static_cast<std::size_t>(j)].channels[s];
+        const ChannelResponse& slope = sensitivity.by_change[static_cast<std::size_t>(j)].channels[s];
         const std::complex<double> turned = slope.response[f] * std::conj(phasor) / gain;
         along[j] = turned.real();
         across[j] = turned.imag();

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,14 @@
 #include "identify/search/evaluation.h"
 
 namespace fourpost {
+
+class CondensedVehicle;
+
+/// Another vehicle with the same posts and sensors, at values of its own parameters, SI.
+struct OtherVehicle {
+  std::shared_ptr<const CondensedVehicle> vehicle;
+  std::vector<double> values;
+};
 
 /// How far a vehicle is from one kind of data, as whitened residuals.
 struct ResidualBlock {
@@ -27,6 +37,10 @@ struct ResidualBlock {
   /// and good enough for steps of a refinement; empty where only differences give them. Throws what it cannot do.
   std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
       differentiate = {};
+  /// What residuals change by with each other vehicle in this one's place, to first order in all that is different,
+  /// count x others, for much less than evaluating each; NaN for one of which it cannot tell. Empty where there is no
+  /// such way. Throws what it cannot do.
+  std::function<Eigen::MatrixXd(const std::vector<double>& values, std::span<const OtherVehicle> others)> toward = {};
   /// Residuals with a quarter of the integration's step; empty where nothing is integrated. Throws std::runtime_error
   /// where they cannot be computed.
   std::function<Eigen::VectorXd(const std::vector<double>& values)> at_finer_steps = {};

@@ -7,6 +7,7 @@
 #include "analysis/files/output_folder.h"
 #include "identify/study/loaded_study.h"
 #include "identify/suggest/addition_list.h"
+#include "identify/suggest/applied_suggestion.h"
 #include "identify/suggest/suggestions.h"
 
 namespace fourpost {

@@ -13,6 +13,7 @@
 #include "identify/run/findings.h"
 #include "identify/run/study_fit.h"
 #include "identify/study_file/result_reader.h"
+#include "identify/suggest/applied_suggestion.h"
 #include "identify/suggest/findings.h"
 
 namespace fourpost {

@@ -208,6 +208,8 @@ VehicleObjective LoadedStudy::MakeObjective() const {
 
 std::vector<std::filesystem::path> LoadedStudy::InputFiles() const {
   std::vector<std::filesystem::path> files = {study.file, vehicle.file};
+  for (const FileContent& content : vehicle.contents)
+    if (std::find(files.begin(), files.end(), content.file) == files.end()) files.emplace_back(content.file);
   for (const Experiment& experiment : study.experiments)
     for (const ExperimentFile& file : experiment.Files()) files.push_back(file.path);
   return files;

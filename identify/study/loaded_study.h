@@ -53,7 +53,7 @@ struct LoadedStudy {
   /// The misfit over all experiments. Throws FaultyInput when the vehicle cannot be assembled or held.
   VehicleObjective MakeObjective() const;
 
-  /// The study, the vehicle and every file of its experiments.
+  /// The study, the vehicle, the files of its curves and every file of its experiments.
   std::vector<std::filesystem::path> InputFiles() const;
 };
 

@@ -34,6 +34,10 @@ void Add(Sha256& digest, const Scalar& scalar) {
 std::string DigestOf(const Vehicle& vehicle) {
   Sha256 digest;
   digest.Add(Condensed(vehicle.text));
+  for (const FileContent& content : vehicle.contents) {
+    digest.Add(content.xml);
+    digest.Add(content.at.value_or(0));
+  }
   for (const Link& link : vehicle.links) {
     Add(digest, link.mass);
     for (const Scalar& component : link.com) Add(digest, component);

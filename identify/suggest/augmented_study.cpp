@@ -45,30 +45,45 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
   std::vector<ResidualBlock> blocks;
   for (const Experiment& experiment : study.study.experiments)
     if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
+  condensed_ = subject.Condensed();
   // Priors are those of the study: of new parameters nothing is known.
   objective_.emplace(vehicle_, free_, std::move(blocks));
 }
 
 std::optional<Eigen::VectorXd> AugmentedStudy::At(double amount, const Eigen::VectorXd& values) const {
   if (addition_.study) return OfStudy(amount, values);
+  return With(Added(amount), values);
+}
+
+std::optional<OtherVehicle> AugmentedStudy::VehicleAt(double amount, const Eigen::VectorXd& values) const {
+  if (addition_.study) return std::nullopt;
+  return OtherVehicle{condensed_, objective_->AllParameters(Extended(Added(amount), values))};
+}
+
+Eigen::VectorXd AugmentedStudy::Added(double amount) const {
   const std::vector<double> added = addition_.values ? addition_.values(amount) : std::vector<double>();
-  return With(Eigen::Map<const Eigen::VectorXd>(added.data(), std::ssize(added)), values);
+  return Eigen::Map<const Eigen::VectorXd>(added.data(), std::ssize(added));
+}
+
+Eigen::VectorXd AugmentedStudy::Extended(const Eigen::VectorXd& added, const Eigen::VectorXd& values) {
+  Eigen::VectorXd all(values.size() + added.size());
+  all << values, added;
+  return all;
 }
 
 std::optional<Eigen::VectorXd> AugmentedStudy::With(const Eigen::VectorXd& added, const Eigen::VectorXd& values) const {
-  Eigen::VectorXd all(values.size() + added.size());
-  all << values, added;
-  return Evaluated(*objective_, all);
+  return Evaluated(*objective_, Extended(added, values));
 }
 
 FitVariables AugmentedStudy::AddedVariables() const { return FitVariables(Lattice(AddedAxes())); }
 
 Eigen::VectorXd AugmentedStudy::AddedAt(double amount) const {
   const std::vector<LatticeAxis> axes = AddedAxes();
-  const std::vector<double> values = addition_.values(amount);
-  Eigen::VectorXd within(std::ssize(values));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    within[static_cast<Index>(i)] = std::clamp(values[i], axes[i].lower, axes[i].upper);
+  Eigen::VectorXd within = Added(amount);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    double& value = within[static_cast<Index>(i)];
+    value = std::clamp(value, axes[i].lower, axes[i].upper);
+  }
   return within;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,11 @@ class AugmentedStudy {
   /// threads at once.
   std::optional<Eigen::VectorXd> At(double amount, const Eigen::VectorXd& values) const;
 
+  /// Of an addition to the vehicle: that vehicle, at an amount; nothing of what is added to the study.
+  std::optional<OtherVehicle> VehicleAt(double amount, const Eigen::VectorXd& values) const;
+  /// Of an addition to the vehicle.
+  const VehicleObjective& objective() const { return *objective_; }
+
   /// The same for values of the addition's parameters in place of an amount.
   std::optional<Eigen::VectorXd> With(const Eigen::VectorXd& added, const Eigen::VectorXd& values) const;
 
@@ -45,6 +51,10 @@ class AugmentedStudy {
  private:
   std::vector<LatticeAxis> AddedAxes() const;
   std::size_t PlaceOf(const std::string& name) const;
+  /// Values of the addition's parameters.
+  Eigen::VectorXd Added(double amount) const;
+  /// Of all free parameters, the addition's behind those of the study.
+  static Eigen::VectorXd Extended(const Eigen::VectorXd& added, const Eigen::VectorXd& values);
   std::optional<Eigen::VectorXd> Evaluated(const VehicleObjective& objective, const Eigen::VectorXd& values) const;
   std::optional<Eigen::VectorXd> OfStudy(double amount, const Eigen::VectorXd& values) const;
 
@@ -52,6 +62,7 @@ class AugmentedStudy {
   const Addition& addition_;
   Vehicle vehicle_;
   std::vector<std::size_t> free_;
+  std::shared_ptr<const CondensedVehicle> condensed_;
   std::optional<VehicleObjective> objective_;
   mutable std::string failure_;
 };

@@ -105,18 +105,56 @@ double LeastPromise(double cost, Index residuals, std::size_t additions) {
   return 0.5 * share * std::max(cost, count);
 }
 
+namespace {
+
+std::vector<Tried> NothingTried(const FollowedCost& fitted) {
+  std::vector<Tried> tried(1);
+  tried.front().remainder = fitted.Remainder(fitted.point().residuals);
+  return tried;
+}
+
+void Add(const FollowedCost& fitted, double amount, const Eigen::VectorXd& residuals, std::vector<Tried>& tried) {
+  tried.push_back({amount, residuals, fitted.Remainder(residuals), fitted.Of(residuals)});
+  std::sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.amount < b.amount; });
+}
+
+/// The best amount of those that were tried, but 0.
+ScoreTest BestOf(std::vector<Tried>& tried) {
+  Tried* best = nullptr;
+  for (Tried& one : tried)
+    if (one.amount != 0 && (!best || one.followed.cost < best->followed.cost)) best = &one;
+  ScoreTest test;
+  test.amount = best->amount;
+  test.cost = best->followed.cost;
+  test.step = best->followed.step;
+  test.left = best->followed.left;
+  test.alone = std::move(best->residuals);
+  return test;
+}
+
+}  // namespace
+
+ScoreTest TestToFirstOrder(const FollowedCost& fitted, const AmountRange& range, const Eigen::VectorXd& at_first) {
+  std::vector<Tried> tried = NothingTried(fitted);
+  Add(fitted, range.first, at_first, tried);
+  if (range.least == range.greatest) return BestOf(tried);
+  const double amount = BestAmount(fitted.point().loss, range, tried);
+  const Eigen::VectorXd change = (at_first - fitted.point().residuals) / range.first;
+  if (amount != 0 && amount != range.first) Add(fitted, amount, fitted.point().residuals + amount * change, tried);
+  return BestOf(tried);
+}
+
 std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
                                     double least_promise) {
   constexpr int kMost = 4;
   constexpr double kSame = 0.15;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(fitted.point().jacobian.cols());
-  std::vector<Tried> tried(1);
-  tried.front().remainder = fitted.Remainder(fitted.point().residuals);
+  std::vector<Tried> tried = NothingTried(fitted);
   const double none_added = fitted.point().loss.Cost(tried.front().remainder);
-  ScoreTest test;
+  int evaluations = 0;
   double amount = range.first;
-  for (; test.evaluations < kMost;) {
-    ++test.evaluations;
+  while (evaluations < kMost) {
+    ++evaluations;
     std::optional<Eigen::VectorXd> there = residuals(amount, none);
     if (!there || there->size() != fitted.point().residuals.size() || !there->allFinite()) {
       // Too much of it, perhaps.
@@ -125,8 +163,7 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
       if (amount < range.least && range.least > 0) break;
       continue;
     }
-    tried.push_back({amount, *there, fitted.Remainder(*there), fitted.Of(*there)});
-    std::sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.amount < b.amount; });
+    Add(fitted, amount, *there, tried);
     if (range.least == range.greatest) break;
     amount = BestAmount(fitted.point().loss, range, tried);
     const double promise = none_added - fitted.point().loss.Cost(Interpolated(tried, amount));
@@ -137,14 +174,8 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
     if (is_known || std::abs(amount) < 1e-9 * std::abs(range.first)) break;
   }
   if (tried.size() < 2) return std::nullopt;
-  Tried* best = nullptr;
-  for (Tried& one : tried)
-    if (one.amount != 0 && (!best || one.followed.cost < best->followed.cost)) best = &one;
-  test.amount = best->amount;
-  test.cost = best->followed.cost;
-  test.step = best->followed.step;
-  test.left = best->followed.left;
-  test.alone = std::move(best->residuals);
+  ScoreTest test = BestOf(tried);
+  test.evaluations = evaluations;
   return test;
 }
 

@@ -87,6 +87,9 @@ double LeastPromise(double cost, Eigen::Index residuals, std::size_t additions);
 std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
                                     double least_promise = 0);
 
+/// The same by residuals at the first amount alone, not evaluated but known to first order.
+ScoreTest TestToFirstOrder(const FollowedCost& fitted, const AmountRange& range, const Eigen::VectorXd& at_first);
+
 /// Goes on from there: steps of the amount and the variables together with the derivatives that are known, each
 /// evaluated truly and kept where the cost falls. Where it never does, the test says that nothing is left or moved.
 void Confirm(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals, ScoreTest& test);

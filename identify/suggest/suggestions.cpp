@@ -7,25 +7,23 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <span>
+#include <string>
 
-#include "analysis/text/short_number.h"
-#include "analysis/text/units.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/refine.h"
 #include "identify/search/archive.h"
 #include "identify/search/parallel.h"
-#include "identify/study_file/study_edit.h"
 #include "identify/suggest/addition_list.h"
 #include "identify/suggest/augmented_study.h"
 #include "identify/suggest/findings.h"
+#include "identify/suggest/first_look.h"
 #include "identify/suggest/joined_additions.h"
 #include "identify/suggest/new_numbers.h"
 #include "identify/suggest/score_test.h"
-#include "identify/suggest/vehicle_edit.h"
 #include "vehicles/multibody/simulation_error.h"
-#include "vehicles/reader/vehicle_file.h"
-#include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
@@ -33,7 +31,9 @@ namespace {
 using Eigen::Index;
 
 constexpr double kAlike = 0.95;
-/// Of how many additions all is evaluated truly.
+/// Of how many things that could be added an amount is looked for by evaluations, and of how many additions all is
+/// evaluated truly.
+constexpr std::size_t kEvaluated = 24;
 constexpr std::size_t kConfirmed = 12;
 
 /// An addition under test.
@@ -162,13 +162,14 @@ class Suggester {
   static AmountRange RangeOf(const Addition& addition) { return {addition.first, addition.least, addition.greatest}; }
 
   void TestAll(const FollowedCost& fitted, std::vector<Trial>& trials) {
+    const double promise = LeastPromise(base_.cost, result_.residuals, result_.tried);
+    LookAtAll(fitted, promise, trials);
     std::atomic<std::size_t> done = 0;
     std::atomic<std::int64_t> evaluations = 0;
     std::mutex shown;
-    const double promise = LeastPromise(base_.cost, result_.residuals, result_.tried);
     ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
       Trial& trial = trials[i];
-      if (!trial.study || hooks_.IsStopped()) return;
+      if (!trial.study || trial.test || hooks_.IsStopped()) return;
       trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial), promise);
       if (trial.test) evaluations += trial.test->evaluations;
       else trial.failure = trial.study->failure();
@@ -178,6 +179,61 @@ class Suggester {
     });
     result_.evaluations += evaluations;
     result_.is_interrupted = hooks_.IsStopped();
+  }
+
+  /// To first order: those that promise little, or less than many others, are done with.
+  void LookAtAll(const FollowedCost& fitted, double promise, std::vector<Trial>& trials) {
+    std::vector<Trial*> of_vehicle;
+    std::vector<Trial*> of_study;
+    for (Trial& trial : trials)
+      if (trial.study) (trial.addition.study ? of_study : of_vehicle).push_back(&trial);
+    LookAtVehicles(fitted, of_vehicle);
+    LookAtStudies(fitted, of_study);
+    std::vector<Trial*> seen = std::move(of_vehicle);
+    seen.insert(seen.end(), of_study.begin(), of_study.end());
+    std::erase_if(seen, [](const Trial* trial) { return !trial->test; });
+    Sort(fitted, seen);
+    std::set<std::string> promising;
+    for (Trial* trial : seen) {
+      if (base_.cost - trial->test->cost < promise) continue;
+      const std::string key = trial->addition.Key();
+      if (promising.size() == kEvaluated && !promising.contains(key)) continue;
+      promising.insert(key);
+      // It is worth evaluations.
+      trial->test.reset();
+    }
+  }
+
+  void LookAtVehicles(const FollowedCost& fitted, const std::vector<Trial*>& trials) {
+    // Of so many one motion is followed; the same for any number of threads.
+    constexpr std::size_t kTogether = 8;
+    const std::size_t groups = (trials.size() + kTogether - 1) / kTogether;
+    ForEachInParallel(groups, threads_, [&](std::size_t group) {
+      if (hooks_.IsStopped()) return;
+      const std::size_t first = group * kTogether;
+      LookAt(fitted, std::span(trials).subspan(first, std::min(kTogether, trials.size() - first)));
+    });
+    result_.evaluations += static_cast<std::int64_t>(groups);
+  }
+
+  /// What a channel is off by changes residuals nearly in proportion.
+  void LookAtStudies(const FollowedCost& fitted, const std::vector<Trial*>& trials) {
+    ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
+      if (hooks_.IsStopped()) return;
+      Trial& trial = *trials[i];
+      const auto there = Residuals(trial)(trial.addition.first, Eigen::VectorXd::Zero(values_.size()));
+      if (there && there->allFinite()) trial.test = TestToFirstOrder(fitted, RangeOf(trial.addition), *there);
+    });
+    result_.evaluations += std::ssize(trials);
+  }
+
+  void LookAt(const FollowedCost& fitted, std::span<Trial* const> some) const {
+    std::vector<FirstLook> looks;
+    for (const Trial* trial : some) looks.push_back({trial->study.get(), trial->addition.first});
+    const std::vector<std::optional<Eigen::VectorXd>> seen =
+        fourpost::LookAt(objective_, values_, fitted.point().residuals, looks);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      if (seen[i]) some[i]->test = TestToFirstOrder(fitted, RangeOf(some[i]->addition), *seen[i]);
   }
 
   double EffectiveOf(const FollowedCost& fitted, const Eigen::VectorXd& residuals) const {
@@ -217,7 +273,8 @@ class Suggester {
     ForEachInParallel(count, threads_, [&](std::size_t i) {
       ScoreTest& test = *list[i]->test;
       const int earlier = test.evaluations;
-      if (!hooks_.IsStopped()) {
+      // Without any it promises nothing.
+      if (earlier > 0 && !hooks_.IsStopped()) {
         fourpost::Confirm(fitted, RangeOf(list[i]->addition), Residuals(*list[i]), test);
         if (test.is_confirmed && list[i]->addition.parameters.size() > 1) FitNumbersOf(fitted, *list[i]);
       }
@@ -355,29 +412,6 @@ class Suggester {
   Suggestions result_;
 };
 
-/// New parameters with bounds within a factor of their expected values: the wide ones of a test hold values at which
-/// nothing of the vehicle is left to see.
-std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& suggestion) {
-  constexpr double kFactor = 10;
-  VehicleEdit edit(text);
-  for (std::size_t i = 0; i < suggestion.values.size(); ++i) {
-    const tinyxml2::XMLElement* element = edit.Find("fp:parameter", suggestion.addition.parameters[i]);
-    const double value = suggestion.values[i];
-    if (!element || !(value > 0)) continue;
-    const auto bound = [&](const char* name) { return ParseQuantity(AttributeText(*element, name).value_or("")); };
-    const auto lower = bound("lower");
-    const auto upper = bound("upper");
-    if (!lower || !upper || lower->si < 0) continue;  // of a place the size says nothing
-    const double least = lower->si > 0 ? std::max(lower->si, value / kFactor) : lower->si;
-    const double most = std::min(upper->si, value * kFactor);
-    // Rounding must not leave the value outside.
-    edit.Set(*element, "lower", FormatQuantity(std::min(AtDigits(least, 4), value), lower->unit_text));
-    edit.Set(*element, "upper", FormatQuantity(std::max(AtDigits(most, 4), value), upper->unit_text));
-    edit.Set(*element, "precision", FormatQuantity(AtDigits((most - least) / 1e5, 3), upper->unit_text));
-  }
-  return edit.Text();
-}
-
 }  // namespace
 
 std::size_t Suggestions::Worthwhile() const {
@@ -387,41 +421,6 @@ std::size_t Suggestions::Worthwhile() const {
 
 Suggestions SuggestFor(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks) {
   return Suggester(study, values, threads, hooks).Run();
-}
-
-AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const SuggestedAddition& suggestion,
-                        const std::filesystem::path& folder) {
-  const Addition& addition = suggestion.addition;
-  Diagnostics findings;
-  Vehicle vehicle = study.vehicle;
-  if (!addition.vehicle.empty()) {
-    std::optional<Vehicle> read = ReadVehicleText(addition.vehicle, study.vehicle.file, findings);
-    if (!read) throw FaultyInput(findings);
-    vehicle = WithValuesOf(study.vehicle, *std::move(read));
-  }
-  std::vector<double> all = vehicle.ParameterValues();
-  const auto set = [&](const std::string& name, double value) {
-    for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
-      const Parameter& parameter = vehicle.parameters[i];
-      if (parameter.name == name && !parameter.prior_sd)
-        all[i] = std::clamp(AtDigits(value, 6), parameter.lower, parameter.upper);
-    }
-  };
-  for (std::size_t i = 0; i < study.free.size(); ++i)
-    set(study.vehicle.parameters[study.free[i]].name, values[static_cast<Index>(i)]);
-  for (std::size_t i = 0; i < addition.parameters.size(); ++i) set(addition.parameters[i], suggestion.values[i]);
-
-  StudyEdit edit(addition.study ? addition.study(suggestion.amount) : study.study.text);
-  std::vector<std::filesystem::path> files;
-  for (const Experiment& experiment : study.study.experiments)
-    for (const ExperimentFile& file : experiment.Files()) files.push_back(file.path.lexically_normal());
-  edit.Rebase(files, study.study.file.parent_path(), folder);
-  edit.SetVehicle("vehicle.urdf");
-  edit.AddFree(addition.parameters);
-  if (study.vehicle.dampers.size() == 1 && vehicle.dampers.size() > 1)
-    edit.NameDamper(study.vehicle.dampers.front().name);
-  const std::string text = VehicleTextWithValues(vehicle, all, folder);
-  return {.vehicle = addition.vehicle.empty() ? text : WithNarrowBounds(text, suggestion), .study = edit.Text()};
 }
 
 }  // namespace fourpost

@@ -45,6 +45,20 @@ ModelChange ModelChanges::By(std::size_t parameter) const {
   if (linear.size() != linear_.size())
     throw std::invalid_argument("ModelChanges: a damper gains a series spring with the parameter '" +
                                 vehicle_.vehicle().parameters[parameter].name + "'");
+  return To(model, linear, step);
+}
+
+std::optional<ModelChange> ModelChanges::To(const CondensedModel& other) const {
+  if (other.mass.rows() != model_.mass.rows() || other.inputs() != model_.inputs() ||
+      other.post_stiffness.cols() != model_.post_stiffness.cols() ||
+      other.on_position.rows() != model_.on_position.rows())
+    return std::nullopt;
+  const LinearVehicle linear(other, LinearVehicle::Rates::kCentre);
+  if (linear.size() != linear_.size()) return std::nullopt;
+  return To(other, linear, 1);
+}
+
+ModelChange ModelChanges::To(const CondensedModel& model, const LinearVehicle& linear, double step) const {
   return {.mass = Difference(linear.mass, linear_.mass, step),
           .damping = Difference(linear.damping, linear_.damping, step),
           .stiffness = Difference(linear.stiffness, linear_.stiffness, step),

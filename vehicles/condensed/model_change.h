@@ -17,7 +17,7 @@ namespace fourpost {
 class CondensedVehicle;
 
 /// Derivatives of a reduced model by one of its parameters, by a difference: matrices are linear in most parameters and
-/// smooth in all. A matrix without rows does not change.
+/// smooth in all. Or its difference from another model. A matrix without rows does not change.
 struct ModelChange {
   /// Change of an element's law within the difference.
   struct Law {
@@ -63,7 +63,12 @@ class ModelChanges {
   /// with the parameter.
   ModelChange By(std::size_t parameter) const;
 
+  /// All the way to another model, as if in one step; nothing where it has other coordinates, posts, sensors or series
+  /// springs.
+  std::optional<ModelChange> To(const CondensedModel& other) const;
+
  private:
+  ModelChange To(const CondensedModel& other, const LinearVehicle& linear, double step) const;
   std::vector<ModelChange::Law> ChangedLaws(const std::vector<Port>& changed) const;
 
   const CondensedVehicle& vehicle_;

@@ -13,19 +13,25 @@ namespace fourpost {
 ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std::span<const double> values,
                                             const std::vector<std::size_t>& parameters, const Excitation& excitation,
                                             const HarmonicBalanceOptions& options) {
-  options.Validate();
-  excitation.Validate(vehicle.vehicle().posts.size());
   const ModelChanges model_changes(vehicle, values);
   std::vector<ModelChange> changes;
   for (const std::size_t parameter : parameters) changes.push_back(model_changes.By(parameter));
-  ContactCycle cycle(model_changes.model(), excitation.shape, options);
+  return SolveBalanceSensitivity(vehicle, model_changes.model(), changes, excitation, options);
+}
+
+ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, const CondensedModel& model,
+                                            const std::vector<ModelChange>& changes, const Excitation& excitation,
+                                            const HarmonicBalanceOptions& options) {
+  options.Validate();
+  excitation.Validate(vehicle.vehicle().posts.size());
+  ContactCycle cycle(model, excitation.shape, options);
   // A balance of few harmonics is content with any error; its derivatives are not.
   const double error = std::min(options.error, HarmonicBalanceOptions{}.error);
   // One for either of its cycles.
   std::optional<BalanceChange> held;
   std::optional<BalanceChange> lifting;
   ResponseRecorder recorder(vehicle.vehicle().sensors, excitation);
-  std::vector<ResponseRecorder> by_parameter(parameters.size(), recorder);
+  std::vector<ResponseRecorder> by_change(changes.size(), recorder);
   ResponseSensitivity out;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     if (!cycle.Solve(excitation.frequency_Hz[i], excitation.amplitude_m[i]))
@@ -33,12 +39,12 @@ ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std
     const SensorHarmonics sensors = cycle.cycle().Sensors();
     recorder.Record(i, sensors);
     std::optional<BalanceChange>& change = cycle.lifts() ? lifting : held;
-    if (!change) change.emplace(cycle.cycle(), model_changes.model(), excitation.shape, changes, error);
+    if (!change) change.emplace(cycle.cycle(), model, excitation.shape, changes, error);
     change->Find(excitation.amplitude_m[i]);
-    for (std::size_t p = 0; p < parameters.size(); ++p) by_parameter[p].RecordChange(i, sensors, change->Sensors(p));
+    for (std::size_t p = 0; p < changes.size(); ++p) by_change[p].RecordChange(i, sensors, change->Sensors(p));
   }
   out.periodic.response = recorder.Take();
-  for (ResponseRecorder& parameter : by_parameter) out.by_parameter.push_back(parameter.Take());
+  for (ResponseRecorder& one : by_change) out.by_change.push_back(one.Take());
   return out;
 }
 

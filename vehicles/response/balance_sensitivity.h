@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/condensed/model_change.h"
 #include "vehicles/response/excitation.h"
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/harmonic_balance_options.h"
@@ -13,9 +14,10 @@ namespace fourpost {
 
 struct ResponseSensitivity {
   PeriodicResponse periodic;
-  /// Derivatives of the response per SI unit of each requested parameter: channels' response, mean and second_harmonic.
-  /// The latter is an amplitude; where it is zero it has no derivative, and zero is returned.
-  std::vector<FrequencyResponse> by_parameter;
+  /// Derivatives of the response per SI unit of each requested parameter, or by each change of the model: channels'
+  /// response, mean and second_harmonic. The latter is an amplitude; where it is zero it has no derivative, and zero is
+  /// returned.
+  std::vector<FrequencyResponse> by_change;
 };
 
 /// The response of SolveHarmonicBalance and its derivatives by parameters. Both together cost less than four times the
@@ -28,6 +30,11 @@ struct ResponseSensitivity {
 /// ModelChanges.
 ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std::span<const double> values,
                                             const std::vector<std::size_t>& parameters, const Excitation& excitation,
+                                            const HarmonicBalanceOptions& options = {});
+
+/// By any changes of a vehicle's model, as to other vehicles: to first order in all that is different.
+ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, const CondensedModel& model,
+                                            const std::vector<ModelChange>& changes, const Excitation& excitation,
                                             const HarmonicBalanceOptions& options = {});
 
 }  // namespace fourpost

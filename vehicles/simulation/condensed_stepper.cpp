@@ -1,6 +1,9 @@
 #include "vehicles/simulation/condensed_stepper.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -38,12 +41,21 @@ void PutFrom(const MatrixXd& part, Index column, MatrixXd& whole) {
   whole.block(0, column, part.rows(), part.cols()) = part;
 }
 
+/// Ports included in each step.
+Index HeldOf(const std::vector<Port>& ports, CondensedStepper::Forces forces) {
+  if (forces == CondensedStepper::Forces::kAdded) return std::ssize(ports);
+  return std::count_if(ports.begin(), ports.end(), [](const Port& port) { return port.liftoff < 0; });
+}
+
 }  // namespace
 
 CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, Forces forces)
+    : CondensedStepper(model, step_s, forces, PortsOf(model)) {}
+
+CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, Forces forces, std::vector<Port> ports)
     : step_s_(step_s),
-      ports_(PortsOf(model)),
-      held_(static_cast<Index>(ports_.size() - (forces == Forces::kAdded ? 0 : model.liftoffs.size()))),
+      ports_(std::move(ports)),
+      held_(HeldOf(ports_, forces)),
       acting_(held_),
       at_start_(ports_, step_s),
       at_end_(ports_, step_s) {
@@ -71,6 +83,7 @@ CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, F
   MakeTyreRows(model);
   MakeSensorRows(model);
   remainder_.setZero(on_remainder_.cols());
+  trend_ = remainder_before_ = remainder_.head(held_);
   added_.setZero(on_added_.cols());
   extension_ = rate_ = remainder_;
   packed_.setZero(from_start_.cols());
@@ -156,7 +169,8 @@ void CondensedStepper::MakeTyreRows(const CondensedModel& model) {
   compression_by_post_.setZero(2 * posts, count);
   preload_.resize(count);
   for (Index j = 0; j < count; ++j) {
-    const CondensedModel::Liftoff& tyre = model.liftoffs[static_cast<std::size_t>(j)];
+    const auto place = static_cast<std::size_t>(ports_[static_cast<std::size_t>(held_ + j)].liftoff);
+    const CondensedModel::Liftoff& tyre = model.liftoffs[place];
     compression_by_state_.col(j) = tyre.stiffness * extension_on_state_.row(held_ + j).transpose() +
                                    tyre.damping * rate_on_state_.row(held_ + j).transpose();
     preload_[j] = tyre.preload;
@@ -251,6 +265,7 @@ void CondensedStepper::SetState(const Eigen::VectorXd& state, std::span<const Po
 void CondensedStepper::FinishStart() {
   const Index ports = remainder_.size();
   acting_ = AnyTyrePulls() ? ports : held_;
+  trend_.setZero();
   if (acting_ == 0) remainder_.setZero();
   else if (SolvePorts(at_start_, acting_)) at_start_.Advance();
   else ++unsolved_steps_;
@@ -291,6 +306,8 @@ void CondensedStepper::FinishStep() {
     state_.noalias() += from_liftoff_ * remainder_.tail(ports - held_);
   }
   free_ = state_;
+  remainder_before_ = remainder_.head(held_);
+  remainder_.head(held_) += trend_;
   bool solved = true;
   if (!lifted && held_ > 0) {
     solved = SolvePorts(at_end_, held_);
@@ -303,6 +320,7 @@ void CondensedStepper::FinishStep() {
     state_.noalias() += from_end_ * remainder_;
     acting_ = remainder_.tail(ports - held_).isZero(0) ? held_ : ports;
   }
+  trend_ = remainder_.head(held_) - remainder_before_;
   if (solved) at_end_.Advance();
   else ++unsolved_steps_;
 }
@@ -310,6 +328,7 @@ void CondensedStepper::FinishStep() {
 void CondensedStepper::Store(Moment& moment) const {
   moment.state = state_;
   moment.remainder = remainder_;
+  moment.trend = trend_;
   moment.post = post_;
   moment.added = added_;
   moment.memory = at_end_.memory();
@@ -320,6 +339,7 @@ void CondensedStepper::Store(Moment& moment) const {
 void CondensedStepper::Return(const Moment& moment) {
   state_ = moment.state;
   remainder_ = moment.remainder;
+  trend_ = moment.trend;
   post_ = moment.post;
   added_ = moment.added;
   at_end_.Remember(moment.memory);

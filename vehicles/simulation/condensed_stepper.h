@@ -54,6 +54,7 @@ class CondensedStepper {
   struct Moment {
     Eigen::VectorXd state;
     Eigen::VectorXd remainder;
+    Eigen::VectorXd trend;
     Eigen::VectorXd post;
     Eigen::VectorXd added;
     PortSolver::Memory memory;
@@ -81,6 +82,9 @@ class CondensedStepper {
  private:
   /// Differentiates the step as it is.
   friend class MotionSensitivity;
+
+  /// `ports`: of the model's, those whose forces are solved for; tyres that may lift off last.
+  CondensedStepper(const CondensedModel& model, double step_s, Forces forces, std::vector<Port> ports);
 
   void MakeStepMatrices();
   void MakeForceMatrices();
@@ -137,6 +141,9 @@ class CondensedStepper {
 
   Eigen::VectorXd state_;
   Eigen::VectorXd remainder_;
+  /// Of the held ports, at the step's start, and their change in the last one, on from which they are looked for.
+  Eigen::VectorXd remainder_before_;
+  Eigen::VectorXd trend_;
   Eigen::VectorXd added_;
   /// Heights, velocities, accelerations of the posts.
   Eigen::VectorXd post_;

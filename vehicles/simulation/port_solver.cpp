@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -20,24 +21,29 @@ constexpr int kMostHalvings = 12;
 /// Gauss with row pivoting, in place: of the first n rows and columns `matrix` is used up, `right` becomes the
 /// solution. Of a handful of unknowns, where a general factorisation costs more than its arithmetic.
 void SolveInPlace(Eigen::Index n, Eigen::MatrixXd& matrix, Eigen::VectorXd& right) {
+  double* const x = right.data();
+  const auto column = [&](Eigen::Index k) { return matrix.data() + k * matrix.rows(); };
   for (Eigen::Index k = 0; k < n; ++k) {
+    double* const below = column(k);
     Eigen::Index pivot = k;
     for (Eigen::Index i = k + 1; i < n; ++i)
-      if (std::abs(matrix(i, k)) > std::abs(matrix(pivot, k))) pivot = i;
+      if (std::abs(below[i]) > std::abs(below[pivot])) pivot = i;
     if (pivot != k) {
-      for (Eigen::Index j = k; j < n; ++j) std::swap(matrix(k, j), matrix(pivot, j));
-      std::swap(right[k], right[pivot]);
+      for (Eigen::Index j = k; j < n; ++j) std::swap(column(j)[k], column(j)[pivot]);
+      std::swap(x[k], x[pivot]);
     }
     for (Eigen::Index i = k + 1; i < n; ++i) {
-      const double factor = matrix(i, k) / matrix(k, k);
-      if (factor == 0) continue;
-      for (Eigen::Index j = k + 1; j < n; ++j) matrix(i, j) -= factor * matrix(k, j);
-      right[i] -= factor * right[k];
+      below[i] /= below[k];
+      x[i] -= below[i] * x[k];
+    }
+    for (Eigen::Index j = k + 1; j < n; ++j) {
+      double* const to = column(j);
+      for (Eigen::Index i = k + 1; i < n; ++i) to[i] -= below[i] * to[k];
     }
   }
-  for (Eigen::Index i = n - 1; i >= 0; --i) {
-    for (Eigen::Index j = i + 1; j < n; ++j) right[i] -= matrix(i, j) * right[j];
-    right[i] /= matrix(i, i);
+  for (Eigen::Index j = n - 1; j >= 0; --j) {
+    x[j] /= column(j)[j];
+    for (Eigen::Index i = 0; i < j; ++i) x[i] -= column(j)[i] * x[j];
   }
 }
 
@@ -55,7 +61,8 @@ PortSolver::PortSolver(const std::vector<Port>& ports, double step_s) {
     largest_ = std::max(largest_, hydraulics_.back()->Size());
   }
   const auto count = static_cast<Eigen::Index>(ports.size());
-  for (Eigen::VectorXd* vector : {&extension_, &rate_, &law_, &residual_, &trial_, &step_}) vector->setZero(count);
+  for (Eigen::VectorXd* vector : {&extension_, &rate_, &law_, &residual_, &trial_, &step_, &on_extension_, &on_rate_})
+    vector->setZero(count);
   jacobian_.setZero(count, count);
 }
 
@@ -97,12 +104,15 @@ std::pair<double, double> PortSolver::SlopesOf(Eigen::Index j) const {
 
 /// jacobian step = residual, jacobian = 1 - slopes compliance.
 void PortSolver::NewtonStep() {
-  step_ = residual_;
-  for (Eigen::Index j = 0; j < active_; ++j) {
-    const auto [by_extension, by_rate] = SlopesOf(j);
-    jacobian_.row(j).head(active_) =
-        -by_extension * by_extension_.row(j).head(active_) - by_rate * by_rate_.row(j).head(active_);
-    jacobian_(j, j) += 1;
+  step_.head(active_) = residual_.head(active_);
+  for (Eigen::Index j = 0; j < active_; ++j) std::tie(on_extension_[j], on_rate_[j]) = SlopesOf(j);
+  for (Eigen::Index k = 0; k < active_; ++k) {
+    const double* const by_extension = by_extension_.col(k).data();
+    const double* const by_rate = by_rate_.col(k).data();
+    double* const column = jacobian_.col(k).data();
+    for (Eigen::Index j = 0; j < active_; ++j)
+      column[j] = -on_extension_[j] * by_extension[j] - on_rate_[j] * by_rate[j];
+    column[k] += 1;
   }
   SolveInPlace(active_, jacobian_, step_);
 }

@@ -68,6 +68,9 @@ class PortSolver {
   Eigen::VectorXd residual_;
   Eigen::VectorXd trial_;
   Eigen::VectorXd step_;
+  /// Slopes of the laws.
+  Eigen::VectorXd on_extension_;
+  Eigen::VectorXd on_rate_;
   Eigen::MatrixXd jacobian_;
   /// Largest nonlinear force so far, or the force to which those of ports with memory are rounded [N].
   double largest_ = 0;

@@ -6,6 +6,8 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,6 +21,7 @@
 #include "identify/residuals/calibrated_sensor.h"
 #include "identify/residuals/sensor_group.h"
 #include "identify/search/parallel.h"
+#include "vehicles/condensed/model_change.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
 #include "vehicles/response/hysteresis.h"
@@ -155,22 +158,55 @@ void AddSlopes(const MeasuredRun& run, const FrequencyResponse& slopes, const Mo
   }
 }
 
+/// Of a run by each change of the model, in columns from `first` on.
+void AddChanges(const CondensedVehicle& vehicle, const CondensedModel& model, const std::vector<ModelChange>& changes,
+                const MeasuredRun& run, const ModelError& model_error, Eigen::Index first, Eigen::MatrixXd& out) {
+  const ResponseSensitivity sensitivity = SolveBalanceSensitivity(vehicle, model, changes, run.excitation, kFitBalance);
+  if (!sensitivity.periodic.unconverged_Hz.empty()) throw SimulationError(kSineNotPeriodic, {run.name});
+  for (std::size_t p = 0; p < changes.size(); ++p) {
+    double* to = out.col(static_cast<Eigen::Index>(p)).data() + first;
+    AddSlopes(run, sensitivity.by_change[p], model_error, to);
+  }
+}
+
+Eigen::MatrixXd ByChanges(const CondensedVehicle& vehicle, const CondensedModel& model,
+                          const std::vector<ModelChange>& changes, const std::vector<MeasuredRun>& runs,
+                          Eigen::Index count, const ModelError& model_error) {
+  Eigen::MatrixXd by_changes(count, std::ssize(changes));
+  const std::vector<Eigen::Index> firsts = FirstsOf(runs, model_error);
+  ForEachOnIdleThreads(runs.size(), [&](std::size_t r) {
+    AddChanges(vehicle, model, changes, runs[r], model_error, firsts[r], by_changes);
+  });
+  return by_changes;
+}
+
 Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
                               const ModelError& model_error, const std::vector<double>& values,
                               const std::vector<std::size_t>& parameters) {
-  Eigen::MatrixXd jacobian(count, static_cast<Eigen::Index>(parameters.size()));
-  const std::vector<Eigen::Index> firsts = FirstsOf(runs, model_error);
-  ForEachOnIdleThreads(runs.size(), [&](std::size_t r) {
-    const MeasuredRun& run = runs[r];
-    const ResponseSensitivity sensitivity =
-        SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
-    if (!sensitivity.periodic.unconverged_Hz.empty()) throw SimulationError(kSineNotPeriodic, {run.name});
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
-      double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + firsts[r];
-      AddSlopes(run, sensitivity.by_parameter[p], model_error, out);
-    }
-  });
-  return jacobian;
+  const ModelChanges of(vehicle, values);
+  std::vector<ModelChange> changes;
+  for (const std::size_t parameter : parameters) changes.push_back(of.By(parameter));
+  return ByChanges(vehicle, of.model(), changes, runs, count, model_error);
+}
+
+/// See ResidualBlock::toward.
+Eigen::MatrixXd Toward(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
+                       const ModelError& model_error, const std::vector<double>& values,
+                       std::span<const OtherVehicle> others) {
+  const ModelChanges of(vehicle, values);
+  std::vector<ModelChange> changes;
+  std::vector<Eigen::Index> columns;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const CondensedModel other = others[i].vehicle->At(others[i].values);
+    std::optional<ModelChange> change = of.To(other);
+    if (!change || HasHysteresis(other)) continue;
+    changes.push_back(*std::move(change));
+    columns.push_back(static_cast<Eigen::Index>(i));
+  }
+  Eigen::MatrixXd toward =
+      Eigen::MatrixXd::Constant(count, std::ssize(others), std::numeric_limits<double>::quiet_NaN());
+  toward(Eigen::all, columns) = ByChanges(vehicle, of.model(), changes, runs, count, model_error);
+  return toward;
 }
 
 Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
@@ -298,6 +334,10 @@ ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vect
           [vehicle, runs, count, model_error](const std::vector<double>& values,
                                               const std::vector<std::size_t>& parameters) {
             return Differentiate(*vehicle, runs, count, model_error, values, parameters);
+          },
+      .toward =
+          [vehicle, runs, count, model_error](const std::vector<double>& values, std::span<const OtherVehicle> others) {
+            return Toward(*vehicle, runs, count, model_error, values, others);
           },
       .structure = std::move(structure)};
 }

@@ -75,7 +75,7 @@ std::optional<Eigen::MatrixXd> OwnJacobian(const Subject& subject, const Measure
     if (!sensitivity.periodic.unconverged_Hz.empty()) return std::nullopt;
     Eigen::MatrixXd jacobian(AlongPhasors(run, modelled, modelled).size(), std::ssize(parameters));
     for (Index k = 0; k < jacobian.cols(); ++k)
-      jacobian.col(k) = slopes[k] * AlongPhasors(run, modelled, sensitivity.by_parameter[static_cast<std::size_t>(k)]);
+      jacobian.col(k) = slopes[k] * AlongPhasors(run, modelled, sensitivity.by_change[static_cast<std::size_t>(k)]);
     return jacobian;
   } catch (const std::runtime_error&) {
     return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include "analysis/text/short_number.h"
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/history_misfits.h"
 #include "identify/experiments/time_history/history_remark.h"
 #include "identify/experiments/time_history/point_delay.h"
 

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
-#include "analysis/signals/autocorrelation.h"
-#include "analysis/signals/fit_quality.h"
-#include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
 #include "identify/experiments/time_history/start_state.h"
 #include "identify/residuals/calibrated_sensor.h"
@@ -31,10 +27,6 @@ double LogDeterminantOf(const std::vector<KalmanPrediction>& predictions) {
   return sum;
 }
 
-std::span<const double> Span(const Eigen::VectorXd& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 }  // namespace
 
 HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
@@ -48,7 +40,9 @@ HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehic
   for (MeasuredHistory& history : histories_) {
     const CondensedModel model = ModelOf(history, of_file);
     if (history.release) history.release->model_error = options.model_error;
-    simulations_.emplace_back(history, HistoryStep(history, model, rig, options.error));
+    const double step_s = options.steps_s.empty() ? HistoryStep(history, model, rig, options.error)
+                                                  : options.steps_s.at(simulations_.size());
+    simulations_.emplace_back(history, step_s);
     // Estimates go on from that at the file's values, the same in every thread.
     if (history.release) history.release->guess = simulations_.back().StartOf(model).estimate.unknowns;
     if (options.cost == HistoryCost::kPrediction) predictors_.emplace_back(history);
@@ -164,33 +158,54 @@ bool HistoryResiduals::HasDerivatives() const {
 
 Eigen::MatrixXd HistoryResiduals::Derivatives(const std::vector<double>& values,
                                               const std::vector<std::size_t>& parameters) const {
-  Eigen::MatrixXd derivatives(count_, std::ssize(parameters));
+  std::vector<std::vector<double>> neighbours;
+  for (const std::size_t parameter : parameters) neighbours.push_back(NeighbourOf(values, parameter));
+  const auto model_of = [&](std::size_t i, const MeasuredHistory& history) { return ModelOf(history, neighbours[i]); };
+  Eigen::MatrixXd derivatives = Changes(values, parameters.size(), model_of, Uncovered::kIntegrated);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    derivatives.col(static_cast<Index>(i)) /= neighbours[i][parameters[i]] - values[parameters[i]];
+  return derivatives;
+}
+
+Eigen::MatrixXd HistoryResiduals::Toward(const std::vector<double>& values,
+                                         std::span<const OtherVehicle> others) const {
+  const auto model_of = [&](std::size_t i, const MeasuredHistory& history) {
+    return others[i].vehicle->At(history.setting.At(others[i].values));
+  };
+  return Changes(values, others.size(), model_of, Uncovered::kLeftOut);
+}
+
+Eigen::MatrixXd HistoryResiduals::Changes(
+    const std::vector<double>& values, std::size_t count,
+    const std::function<CondensedModel(std::size_t, const MeasuredHistory&)>& model_of, Uncovered uncovered) const {
+  Eigen::MatrixXd changes(count_, static_cast<Index>(count));
   Index first = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
     const CondensedModel model = ModelOf(history, values);
     const Eigen::VectorXd here = ResidualsOf(history, model, simulations_[h].Run(model));
+    const auto set = [&](std::size_t i, const CondensedModel& other, Eigen::MatrixXd modelled) {
+      changes.col(static_cast<Index>(i)).segment(first, here.size()) =
+          ResidualsOf(history, other, std::move(modelled)) - here;
+    };
     std::vector<CondensedModel> covered;
     std::vector<std::size_t> their_columns;
-    const auto differentiate = [&](std::size_t i, const CondensedModel& neighbour, Eigen::MatrixXd modelled) {
-      const double difference = NeighbourOf(values, parameters[i])[parameters[i]] - values[parameters[i]];
-      derivatives.col(static_cast<Index>(i)).segment(first, here.size()) =
-          (ResidualsOf(history, neighbour, std::move(modelled)) - here) / difference;
-    };
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      CondensedModel neighbour = ModelOf(history, NeighbourOf(values, parameters[i]));
-      if (MotionSensitivity::Covers(model, neighbour)) {
-        covered.push_back(std::move(neighbour));
+    for (std::size_t i = 0; i < count; ++i) {
+      CondensedModel other = model_of(i, history);
+      if (MotionSensitivity::Covers(model, other)) {
+        covered.push_back(std::move(other));
         their_columns.push_back(i);
+      } else if (uncovered == Uncovered::kIntegrated) {
+        set(i, other, simulations_[h].Run(other));
       } else {
-        differentiate(i, neighbour, simulations_[h].Run(neighbour));
+        changes.col(static_cast<Index>(i)).setConstant(std::numeric_limits<double>::quiet_NaN());
       }
     }
     std::vector<Eigen::MatrixXd> near = simulations_[h].RunNear(model, covered);
-    for (std::size_t c = 0; c < covered.size(); ++c) differentiate(their_columns[c], covered[c], std::move(near[c]));
+    for (std::size_t c = 0; c < covered.size(); ++c) set(their_columns[c], covered[c], std::move(near[c]));
     first += here.size();
   }
-  return derivatives;
+  return changes;
 }
 
 std::vector<double> HistoryResiduals::NeighbourOf(std::vector<double> values, std::size_t parameter) const {
@@ -303,35 +318,6 @@ std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double
   return changes;
 }
 
-namespace {
-
-/// Nothing known of it is taken for noise that may be there.
-bool MayHavePostNoise(const std::vector<MeasuredHistory>& histories) {
-  for (const MeasuredHistory& history : histories)
-    for (std::size_t p = 0; p < history.post_noise_sd.size(); ++p)
-      if (history.post_noise_sd[p] > 0 || !history.post_noise_is_stated[p]) return true;
-  return false;
-}
-
-/// See ResidualBlock::with_input_noise.
-std::vector<ResidualBlock> WithPostNoise(const HistoryResiduals& residuals,
-                                         const std::shared_ptr<const CondensedVehicle>& vehicle,
-                                         const std::vector<Calibration>& calibrations,
-                                         const std::vector<double>& values) {
-  const std::vector<PostNoise> noise = residuals.PostNoiseAt(values);
-  if (std::none_of(noise.begin(), noise.end(), [](const PostNoise& one) { return one.IsAny(); })) return {};
-  std::vector<ResidualBlock> both;
-  for (const double sign : {-1.0, 1.0}) {
-    std::vector<MeasuredHistory> noisy;
-    for (std::size_t h = 0; h < noise.size(); ++h)
-      noisy.push_back(WithPostNoise(residuals.histories()[h], noise[h], h, sign));
-    both.push_back(HistoryBlock(vehicle, std::move(noisy), residuals.options(), calibrations));
-  }
-  return both;
-}
-
-}  // namespace
-
 Eigen::MatrixXd HistoryResiduals::Starts() const {
   std::vector<Eigen::MatrixXd> motions;
   Index columns = 0;
@@ -381,135 +367,6 @@ ResidualStructure HistoryResiduals::Structure() const {
   structure.partitions = {std::move(groups)};
   if (options_.cost == HistoryCost::kWhitened) structure.absorbed = Starts();
   return structure;
-}
-
-ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
-                           const HistoryResiduals::Options& options, const std::vector<Calibration>& calibrations) {
-  const bool has_noise = options.cost == HistoryCost::kWhitened && MayHavePostNoise(histories);
-  const auto residuals = std::make_shared<const HistoryResiduals>(vehicle, std::move(histories), options);
-  std::function<Eigen::VectorXd(const std::vector<double>&)> at_finer_steps;
-  if (options.cost == HistoryCost::kWhitened)
-    at_finer_steps = [residuals](const std::vector<double>& values) { return residuals->AtFinerSteps(values); };
-  std::function<std::vector<ResidualBlock>(const std::vector<double>&)> with_input_noise;
-  if (has_noise)
-    with_input_noise = [=](const std::vector<double>& values) {
-      return WithPostNoise(*residuals, vehicle, calibrations, values);
-    };
-  std::function<Eigen::MatrixXd(const std::vector<double>&)> by_calibrations;
-  if (options.cost == HistoryCost::kWhitened && !calibrations.empty())
-    by_calibrations = [residuals, calibrations](const std::vector<double>& values) {
-      return residuals->ByCalibrations(calibrations, values);
-    };
-  decltype(ResidualBlock::differentiate) differentiate;
-  if (residuals->HasDerivatives())
-    differentiate = [residuals](const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
-      return residuals->Derivatives(values, parameters);
-    };
-  return {.name = "time histories",
-          .count = residuals->count(),
-          // What the elements' forces are solved to, times what a step's error may grow to.
-          .accuracy = 1e-9,
-          .evaluate =
-              [residuals](const std::vector<double>& values, const Deadline& deadline) {
-                try {
-                  return Evaluation{.residuals = residuals->At(values, deadline)};
-                } catch (const std::runtime_error& fault) {
-                  return Failed(Failure::kNotConverged, fault.what());
-                }
-              },
-          .differentiate = std::move(differentiate),
-          .at_finer_steps = std::move(at_finer_steps),
-          .by_calibrations = std::move(by_calibrations),
-          .structure = residuals->Structure(),
-          .with_input_noise = std::move(with_input_noise)};
-}
-
-void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
-                      std::vector<HistoryMisfit>& misfits) {
-  auto misfit = misfits.begin();
-  for (std::size_t h = 0; h < histories.size(); ++h)
-    for (std::size_t i = 0; i < histories[h].signals.size(); ++i, ++misfit) {
-      const Eigen::VectorXd predicted = predictions[h].predicted.col(static_cast<Index>(i));
-      misfit->one_step_nmse_percent = NormalisedMse_percent(Span(histories[h].signals[i].values), Span(predicted));
-      const Whiteness whiteness = WhitenessOf(predictions[h].innovations.col(static_cast<Index>(i)));
-      misfit->innovation_correlation = whiteness.next;
-      misfit->innovations_beyond = whiteness.beyond;
-    }
-}
-
-void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
-                      std::span<HistoryMisfit> misfits) {
-  for (std::size_t i = 0; i < history.signals.size(); ++i) {
-    const Eigen::VectorXd signal = modelled.col(static_cast<Index>(i));
-    misfits[i].reduced_nmse_percent = NormalisedMse_percent(Span(history.signals[i].values), Span(signal));
-  }
-}
-
-namespace {
-
-/// Of two signals that each fit the model of the other far better than their own.
-void FindSwapped(const MeasuredHistory& history, const Eigen::MatrixXd& modelled, std::span<HistoryMisfit> misfits) {
-  // A swap leaves what the model misses; a model that is only poor leaves much of it either way.
-  constexpr double kMuchNearer = 0.25;
-  const auto error = [&](std::size_t measured, std::size_t model) {
-    const Eigen::VectorXd signal = modelled.col(static_cast<Index>(model));
-    return NormalisedMse_percent(Span(history.signals[measured].values), Span(signal));
-  };
-  for (std::size_t i = 0; i < misfits.size(); ++i)
-    for (std::size_t j = i + 1; j < misfits.size(); ++j) {
-      if (history.signals[i].unit != history.signals[j].unit) continue;
-      if (!(error(i, j) < kMuchNearer * misfits[i].nmse_percent && error(j, i) < kMuchNearer * misfits[j].nmse_percent))
-        continue;
-      misfits[i].swapped_with = misfits[j].name;
-      misfits[j].swapped_with = misfits[i].name;
-    }
-}
-
-}  // namespace
-
-std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
-                                          const std::vector<Eigen::MatrixXd>& modelled) {
-  std::vector<HistoryMisfit> misfits;
-  for (std::size_t h = 0; h < histories.size(); ++h) {
-    const std::size_t first = misfits.size();
-    for (std::size_t i = 0; i < histories[h].signals.size(); ++i) {
-      const MeasuredSignal& signal = histories[h].signals[i];
-      const Eigen::VectorXd model = modelled[h].col(static_cast<Index>(i));
-      HistoryMisfit misfit{.recording = histories[h].name,
-                           .name = signal.name,
-                           .nmse_percent = NormalisedMse_percent(Span(signal.values), Span(model)),
-                           .vaf_percent = VarianceAccountedFor_percent(Span(signal.values), Span(model)),
-                           .measured_squares = std::pow(signal.Deviation(), 2) * static_cast<double>(model.size()),
-                           .unit = signal.unit,
-                           .source = signal.source};
-      const SignalTiming timing = TimingOf(signal.values, model, histories[h].rate_Hz);
-      misfit.gain = timing.gain;
-      misfit.delay_s = timing.delay_s;
-      misfit.timed_nmse_percent = timing.nmse_percent;
-      const Eigen::VectorXd residual = signal.values - model;
-      const Index stride = histories[h].Stride();
-      JudgeNoise(residual(Eigen::seqN(0, Strided(residual.size(), stride), stride)), misfit);
-      misfits.push_back(std::move(misfit));
-    }
-    FindSwapped(histories[h], modelled[h], std::span(misfits).subspan(first));
-  }
-  return misfits;
-}
-
-std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories) {
-  std::vector<YardstickRecord> records;
-  for (const MeasuredHistory& history : histories) {
-    YardstickRecord record{.name = history.name, .rate_Hz = history.rate_Hz, .setting = history.setting};
-    std::vector<std::vector<double>> inputs = history.heights;
-    inputs.insert(inputs.end(), history.tensions.begin(), history.tensions.end());
-    record.inputs.resize(history.count, static_cast<Index>(inputs.size()));
-    for (std::size_t p = 0; p < inputs.size(); ++p)
-      record.inputs.col(static_cast<Index>(p)) =
-          Eigen::Map<const Eigen::VectorXd>(inputs[p].data() + history.first, history.count);
-    for (const MeasuredSignal& signal : history.signals) record.channels.push_back({signal.name, signal.values});
-    records.push_back(std::move(record));
-  }
-  return records;
 }
 
 }  // namespace fourpost

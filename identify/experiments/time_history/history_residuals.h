@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,9 +13,7 @@
 #include "identify/experiments/time_history/history_simulation.h"
 #include "identify/experiments/time_history/kalman_predictor.h"
 #include "identify/experiments/time_history/post_noise.h"
-#include "identify/residuals/history_misfit.h"
 #include "identify/residuals/residual_block.h"
-#include "identify/residuals/yardstick.h"
 #include "identify/study_file/calibration.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
@@ -40,14 +39,15 @@ class HistoryResiduals {
     /// Of the integration, of each channel's rms; the error left is about a third of it, a ten-thousandth of a per cent
     /// of a mean square.
     double error = 3e-3;
+    /// Of the integration, one per history; empty: those that the vehicle needs at its file's values.
+    std::vector<double> steps_s = {};
     /// Of a cost by prediction, one per history; empty: estimated at the file's values.
     std::vector<KalmanNoise> noise = {};
     /// Of the estimate's runs.
     NoiseSearch noise_search = {};
   };
 
-  /// Steps are those that the vehicle needs at its file's values. Throws FaultyInput as CondensedVehicle does, and as
-  /// KalmanPredictor does.
+  /// Throws FaultyInput as CondensedVehicle does, and as KalmanPredictor does.
   HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                    const Options& options);
 
@@ -65,9 +65,11 @@ class HistoryResiduals {
   /// Whether Derivatives() are to be had: neither of a cost by prediction nor of a release, whose start is estimated.
   bool HasDerivatives() const;
   /// d residuals / d parameter per SI unit, count x `parameters` (indices): of the integration as it is, see
-  /// MotionSensitivity; of elements that come or have a memory by differences. Throws std::runtime_error where the
-  /// motion cannot be computed.
+  /// MotionSensitivity; of elements that have a memory by differences. Throws std::runtime_error where the motion
+  /// cannot be computed.
   Eigen::MatrixXd Derivatives(const std::vector<double>& values, const std::vector<std::size_t>& parameters) const;
+  /// See ResidualBlock::toward; where there are derivatives. Throws as they do.
+  Eigen::MatrixXd Toward(const std::vector<double>& values, std::span<const OtherVehicle> others) const;
 
   /// Per history, samples of the window x signals; whitened, with the state at the start that suits it, see AddStart().
   std::vector<Eigen::MatrixXd> Modelled(const std::vector<double>& values) const;
@@ -109,6 +111,12 @@ class HistoryResiduals {
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;
   Eigen::MatrixXd Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const;
+  /// What becomes of models that Covers() refuses: NaN, or their own integration.
+  enum class Uncovered { kLeftOut, kIntegrated };
+  /// Residuals with each of `count` models less those at these values, in columns; to first order where it can be.
+  Eigen::MatrixXd Changes(const std::vector<double>& values, std::size_t count,
+                          const std::function<CondensedModel(std::size_t, const MeasuredHistory&)>& model_of,
+                          Uncovered uncovered) const;
   /// The same values with a small difference of one parameter.
   std::vector<double> NeighbourOf(std::vector<double> values, std::size_t parameter) const;
   /// Of one history.
@@ -137,24 +145,5 @@ class HistoryResiduals {
   double reference_log_determinant_ = 0;
   Eigen::Index count_ = 0;
 };
-
-/// As a block of a study, "time histories".
-ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
-                           const HistoryResiduals::Options& options, const std::vector<Calibration>& calibrations = {});
-
-/// Adds the errors of one-step predictions.
-void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
-                      std::vector<HistoryMisfit>& misfits);
-
-/// Adds the errors of the reduced model through one history, `misfits` of its signals.
-void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
-                      std::span<HistoryMisfit> misfits);
-
-/// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
-std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
-                                          const std::vector<Eigen::MatrixXd>& modelled);
-
-/// For AddYardsticks(): heights of the posts and signals within the windows.
-std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories);
 
 }  // namespace fourpost

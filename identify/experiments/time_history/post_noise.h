@@ -23,10 +23,9 @@ struct PostNoise {
   bool IsAny() const;
 };
 
-/// White noise of `history.post_noise_sd`; of posts whose noise the study does not state as the residuals of two channels
-/// or more show it.
-/// `modelled`: samples of the window x signals, at the values of `model`; `step_s`: of the condensed stepper. Throws as
-/// HistorySimulation::Run() does.
+/// White noise of `history.post_noise_sd`; of posts whose noise the study does not state as the residuals of two
+/// channels or more show it. `modelled`: samples of the window x signals, at the values of `model`; `step_s`: of the
+/// condensed stepper. Throws as HistorySimulation::Run() does.
 PostNoise PostNoiseOf(const MeasuredHistory& history, const CondensedModel& model, const Eigen::MatrixXd& modelled,
                       double step_s);
 

@@ -1,6 +1,7 @@
 #include "identify/experiments/time_history/time_histories.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/history_block.h"
 #include "identify/experiments/time_history/kalman_progress.h"
 #include "identify/experiments/time_history/unit_lint.h"
 #include "identify/study_file/source_recording.h"
@@ -137,6 +139,7 @@ void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
   if (!histories) return;
   CheckDeviations(plan, *histories, diagnostics);
   fitted = *histories;
+  steps_s.clear();
 }
 
 void TimeHistories::AddTo(Sha256& data, Sha256& settings) const {
@@ -149,6 +152,7 @@ void TimeHistories::AddTo(Sha256& data, Sha256& settings) const {
 HistoryResiduals::Options TimeHistories::Options(const Subject& subject) const {
   return {.cost = plan.cost,
           .model_error = plan.model_error.history,
+          .steps_s = steps_s,
           .noise = kalman_noise,
           .noise_search = {.deadline_s = subject.deadline_s()}};
 }
@@ -175,6 +179,7 @@ bool TimeHistories::MeasuresForce() const {
 }
 
 void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
+  FindSteps(subject);
   if (plan.cost != HistoryCost::kPrediction) return;
   kalman_noise.clear();
   try {
@@ -185,6 +190,23 @@ void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
   } catch (const TimedOut&) {
     Refuse(kKalmanTooSlow, {plan.file}, {FormatNumber(subject.deadline_s())});
   }
+}
+
+/// Once for all that is made of these histories. Where there are none, the residuals will say why; those of a release
+/// have its start to find first.
+void TimeHistories::FindSteps(const Subject& subject) {
+  const auto is_released = [](const MeasuredHistory& history) { return history.release.has_value(); };
+  if (!steps_s.empty() || std::any_of(fitted.begin(), fitted.end(), is_released)) return;
+  std::vector<double> found;
+  try {
+    for (const MeasuredHistory& history : fitted)
+      found.push_back(HistoryStep(history,
+                                  subject.Condensed()->At(history.setting.At(subject.vehicle().ParameterValues())),
+                                  RigViewOf(subject.vehicle()), Options(subject).error));
+  } catch (const std::runtime_error&) {
+    return;
+  }
+  steps_s = std::move(found);
 }
 
 void TimeHistories::Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const {
@@ -209,7 +231,9 @@ void TimeHistories::Correct() {
 }
 
 void TimeHistories::CorrectAs(const Experiment& other) {
-  const auto& corrected = dynamic_cast<const TimeHistories&>(other).fitted;
+  const auto& like = dynamic_cast<const TimeHistories&>(other);
+  const std::vector<MeasuredHistory>& corrected = like.fitted;
+  if (fitted.size() == corrected.size()) steps_s = like.steps_s;
   for (std::size_t h = 0; h < std::min(fitted.size(), corrected.size()); ++h)
     if (fitted[h].count == corrected[h].count) fitted[h].correction = corrected[h].correction;
 }

@@ -50,6 +50,9 @@ class TimeHistories : public Experiment {
   /// Throws FaultyInput where a run of the filter takes longer than the study's deadline.
   void Prepare(const Subject& subject, const WorkHooks& hooks) override;
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
+  /// Lines of the spectra of histories that are fitted, eight seconds long and without a release.
+  void AddRecordings(AuditedVehicle& audited) const override;
+  bool IsAudited() const override;
   Geometry CheckGeometry(const Subject& subject, const std::vector<double>& values, const WorkHooks& hooks) override;
   void Correct() override;
   void CorrectAs(const Experiment& other) override;
@@ -70,8 +73,13 @@ class TimeHistories : public Experiment {
   std::vector<MeasuredHistory> validation;
   /// Of a cost by prediction: one per history, after Prepare().
   std::vector<KalmanNoise> kalman_noise;
+  /// Of the integration, one per history, after Prepare(); empty: whoever integrates finds them.
+  std::vector<double> steps_s;
   /// What the last CheckGeometry() found of each history to fit.
   std::vector<HistoryCheck> checks;
+
+ private:
+  void FindSteps(const Subject& subject);
 };
 
 }  // namespace fourpost

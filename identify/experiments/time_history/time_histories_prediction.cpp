@@ -8,6 +8,7 @@
 #include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_bands.h"
 #include "identify/experiments/time_history/history_fit_files.h"
+#include "identify/experiments/time_history/history_misfits.h"
 #include "identify/experiments/time_history/history_remark.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
 #include "identify/experiments/time_history/kalman_noise_json.h"

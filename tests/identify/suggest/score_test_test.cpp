@@ -62,6 +62,23 @@ TEST(ScoreTest, OfALinearModelIsTheClosedForm) {
   EXPECT_NEAR(point.residuals.squaredNorm() - test->cost, fall, 1e-4 * fall);
 }
 
+// Of a linear model residuals to first order are all there is, so that evaluations find the same; both by the grid of
+// amounts.
+TEST(ScoreTest, ToFirstOrderIsTheSameOfALinearModel) {
+  const VectorXd column = White(400, 7);
+  const FittedPoint point = Optimum(400, 5, -0.6 * column, 1);
+  const FollowedCost fitted(point);
+  const AmountRange range{.first = 0.05, .least = 0, .greatest = 10};
+  const auto evaluated = TestAmount(
+      fitted, range, [&](double s, const VectorXd&) { return std::optional<VectorXd>(point.residuals + s * column); });
+  const ScoreTest test = TestToFirstOrder(fitted, range, point.residuals + range.first * column);
+  const double fall = point.residuals.squaredNorm() - evaluated->cost;
+  ASSERT_GT(fall, 100);
+  EXPECT_EQ(test.evaluations, 0);
+  EXPECT_NEAR(test.amount, evaluated->amount, 0.05 * evaluated->amount);
+  EXPECT_NEAR(test.cost, evaluated->cost, 5e-3 * fall);
+}
+
 // It promises something to first order, and every evaluation denies it.
 TEST(ScoreTest, WhatEvaluationsRefuteMovesNothing) {
   const VectorXd column = White(400, 7);

@@ -105,7 +105,7 @@ void ExpectDifferences(const Vehicle& vehicle, const Excitation& excitation, con
     const FrequencyResponse expected = Difference(vehicle, p, excitation);
     for (std::size_t c = 0; c < expected.channels.size(); ++c) {
       SCOPED_TRACE(vehicle.parameters[p].name + " " + expected.channels[c].name);
-      const ChannelResponse& given = sensitivity.by_parameter[p].channels[c];
+      const ChannelResponse& given = sensitivity.by_change[p].channels[c];
       const ChannelResponse& difference = expected.channels[c];
       const ChannelResponse& channel = sensitivity.periodic.response.channels[c];
       const double value = vehicle.parameters[p].value;
@@ -144,7 +144,7 @@ TEST(BalanceSensitivity, OfALinearVehicleHasTheDifferencesOfItsResponse) {
 TEST(BalanceSensitivity, AParameterThatNothingUsesChangesNothing) {
   const Vehicle vehicle = LinearCar();
   const ResponseSensitivity sensitivity = Sensitivity(vehicle, Heave(vehicle));
-  for (const ChannelResponse& channel : sensitivity.by_parameter[IndexOf(vehicle, "c_bump")].channels) {
+  for (const ChannelResponse& channel : sensitivity.by_change[IndexOf(vehicle, "c_bump")].channels) {
     EXPECT_THAT(channel.response, testing::Each(Complex(0, 0)));
     EXPECT_THAT(channel.mean, testing::Each(0.0));
     EXPECT_THAT(channel.second_harmonic, testing::Each(0.0));
@@ -160,7 +160,7 @@ TEST(BalanceSensitivity, TellsBumpFromReboundWhereBothAreEqual) {
     const std::size_t p = IndexOf(vehicle, name);
     const FrequencyResponse expected = Difference(vehicle, p, excitation);
     for (std::size_t c = 0; c < expected.channels.size(); ++c) {
-      const ChannelResponse& given = sensitivity.by_parameter[p].channels[c];
+      const ChannelResponse& given = sensitivity.by_change[p].channels[c];
       const ChannelResponse& channel = sensitivity.periodic.response.channels[c];
       const double value = vehicle.parameters[p].value;
       EXPECT_LT(Deviation(given.response, expected.channels[c].response, channel.response, value), kDefault.response);

@@ -48,7 +48,7 @@ TEST_P(TyresThatPress, AnswerAsLinearOnes) {
     EXPECT_EQ(a.periodic.response.channels[c].response, b.periodic.response.channels[c].response);
     EXPECT_EQ(a.periodic.response.channels[c].mean, b.periodic.response.channels[c].mean);
     for (std::size_t p = 0; p < parameters.size(); ++p)
-      EXPECT_EQ(a.by_parameter[p].channels[c].response, b.by_parameter[p].channels[c].response);
+      EXPECT_EQ(a.by_change[p].channels[c].response, b.by_change[p].channels[c].response);
   }
 }
 

@@ -128,10 +128,60 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"ThatLeavesTheGround", [](Vehicle& vehicle) { vehicle.tyres[0].lifts_off = true; }, true}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
-TEST(MotionSensitivity, DoesNotCoverAnElementThatComes) {
+struct AddedElement {
+  const char* name;
+  /// Adds that much of it, 1: a usual amount.
+  void (*add)(Vehicle&, double amount);
+};
+
+void PrintTo(const AddedElement& one, std::ostream* out) { *out << one.name; }
+
+class MotionSensitivityToward : public testing::TestWithParam<AddedElement> {};
+
+// Against marches with a thousandth of the element and without, whose own second order is that small; friction, which
+// turns within millimetres per second, has more of it.
+TEST_P(MotionSensitivityToward, AnElementThatComesIsTheDifferenceOfMarches) {
+  constexpr double kAmount = 1e-3;
+  Vehicle vehicle = BilinearQuarterCar();
+  vehicle.tyres[0].lifts_off = false;
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  Vehicle other = vehicle;
+  GetParam().add(other, kAmount);
+  const CondensedModel with = CondensedVehicle(other).At(other.ParameterValues());
+  ASSERT_TRUE(MotionSensitivity::Covers(model, with));
+  bool lifts = false;
+  const Eigen::VectorXd expected = March(with, lifts) - March(model, lifts);
+  const Eigen::VectorXd change = Sensitivity(model, {with});
+  ASSERT_GT(expected.norm(), 0);
+  EXPECT_LT((change - expected).norm(), 1e-2 * expected.norm());
+  // And where it goes.
+  EXPECT_LT((Sensitivity(with, {model}).col(0) + expected).norm(), 1e-2 * expected.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Elements, MotionSensitivityToward,
+    testing::Values(AddedElement{"CubicRate", [](Vehicle& vehicle,
+                                                 double amount) { vehicle.springs[0].law.cubic = {4e6 * amount}; }},
+                    AddedElement{"Friction",
+                                 [](Vehicle& vehicle, double amount) {
+                                   Damper damper = vehicle.dampers[0];
+                                   damper.name = "friction";
+                                   damper.law = {};
+                                   damper.law.friction =
+                                       DashpotDescription::Friction{.force = {50 * amount}, .speed = {0.02}};
+                                   vehicle.dampers.push_back(damper);
+                                 }},
+                    AddedElement{"StopBesideASpring",
+                                 [](Vehicle& vehicle, double amount) {
+                                   vehicle.springs[0].law.knees.push_back(
+                                       {.side = -1, .at = {0.01}, .rate = {2e5 * amount}, .adds = true});
+                                 }}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(MotionSensitivity, DoesNotCoverACoordinateThatComes) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
-  vehicle.springs[0].law.cubic = {4e5};
+  vehicle.dampers[0].series = {300e3};
   const CondensedModel other = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   EXPECT_TRUE(MotionSensitivity::Covers(model, model));
   EXPECT_FALSE(MotionSensitivity::Covers(model, other));

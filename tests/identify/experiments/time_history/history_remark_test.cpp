@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/history_misfits.h"
 #include "identify/experiments/time_history/history_residuals.h"
 #include "tests/findings.h"
 

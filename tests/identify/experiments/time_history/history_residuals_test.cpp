@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 
 #include "analysis/signals/drift.h"
+#include "identify/experiments/time_history/history_block.h"
+#include "identify/experiments/time_history/history_misfits.h"
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/experiments/time_history/history_misfits.h"
 #include "identify/experiments/time_history/history_residuals.h"
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
