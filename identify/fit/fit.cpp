@@ -188,7 +188,7 @@ class RunningFit {
     Report();
     archive_.StopBatches(stop_);
     try {
-      result_.before = IdentifiabilityBefore(archive_, objective_, options_.seed);
+      result_.before = IdentifiabilityBefore(archive_, objective_, options_.seed, options_.refine.differences);
     } catch (const BatchStopped&) {
       result_.end = FitEnd::kInterrupted;
       result_.message = "before its search began;";

@@ -8,7 +8,6 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "identify/fit/findings.h"
-#include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
@@ -119,8 +118,8 @@ std::optional<Identifiability> IdentifiabilityBy(Differences differences, Archiv
 // A model's own derivatives are exact for what it leaves out of them: parameters that do the same have the same slopes,
 // and those that do nothing have none. But they may be too rough to distinguish a small slope from none.
 std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
-                                                     std::uint64_t seed) {
-  if (archive.problem().differentiate) {
+                                                     std::uint64_t seed, Differences differences) {
+  if (differences == Differences::kAutomatic && archive.problem().differentiate) {
     std::optional<Identifiability> before = IdentifiabilityBy(Differences::kAutomatic, archive, objective, seed);
     if (before && !before->HasUndetermined()) return before;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/text/finding.h"
+#include "identify/refine/difference_jacobian.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/search/archive.h"
 #include "identify/uncertainty/covariance.h"
@@ -27,9 +28,11 @@ struct Identifiability {
 /// At the values of the vehicle file. A direction that is open there, as that of a knee between equal rates, may be
 /// closed elsewhere: such directions are looked at from two random points as well, and only what is open from all of
 /// them counts. Where one is, derivatives at the file's values are looked at twice: what noise hides is not open.
+/// kAutomatic takes the model's own derivatives where they leave nothing open; else central differences.
 /// Nothing where the model cannot be evaluated at the file's values. Its evaluations are counted.
 std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
-                                                     std::uint64_t seed);
+                                                     std::uint64_t seed,
+                                                     Differences differences = Differences::kCentral);
 
 /// The finding about a direction that nothing determines: of all masses and rates together, a force fixes the scale;
 /// else one of them is to be fixed, known before, or distinguished by another channel. Its word: DescribeDirection().

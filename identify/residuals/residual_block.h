@@ -38,7 +38,7 @@ struct ResidualBlock {
   std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
       differentiate = {};
   /// What residuals change by with each other vehicle in this one's place, to first order in all that is different,
-  /// count x others, for much less than evaluating each; NaN for one of which it cannot tell. Empty where there is no
+  /// count x others, for much less than evaluating each; NaN for one that it does not know. Empty where there is no
   /// such way. Throws what it cannot do.
   std::function<Eigen::MatrixXd(const std::vector<double>& values, std::span<const OtherVehicle> others)> toward = {};
   /// Residuals with a quarter of the integration's step; empty where nothing is integrated. Throws std::runtime_error

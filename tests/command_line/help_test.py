@@ -33,6 +33,7 @@ class Help(ProgramTest):
         self.write("plan.yaml", "fits: [{study: study.yaml, seeds: 1..2}]\n")
         (self.folder / "rig").mkdir()
         shutil.copy(self.folder / "stepped_sine.csv", self.folder / "rig")
+        shutil.copytree(SOURCE / "tests/data/chrono", self.folder / "data")
         rover = SOURCE / "urdf/landrover110_model3.urdf"
         for model in ("model1", "model2"):
             self.run_program("fit", SOURCE / f"studies/damper/{model}.yaml", "-o", f"models/{model}", "--no-suggest")
@@ -52,6 +53,8 @@ class Help(ProgramTest):
                 line = re.sub(r"run[12]\.mat", "stepped_sine.csv", line)
                 if command == "predict":
                     line = line.replace("sweep.csv", "stepped_sine.csv")  # of the kind that was fitted
+                line = re.sub(r"data/\S+Vehicle\.json", "data/vehicle.json", line)
+                line = re.sub(r"data/\S+Tire\.json", "data/car/tyre.json", line)
                 if "roll" in line:
                     line = line.replace("car.urdf", str(rover))
                 outcome = subprocess.run(["bash", "-e", "-c", line], cwd=self.folder, env=environment,
