@@ -118,6 +118,13 @@ void Add(const FollowedCost& fitted, double amount, const Eigen::VectorXd& resid
   std::sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.amount < b.amount; });
 }
 
+bool IsTried(const std::vector<Tried>& tried, double amount) {
+  constexpr double kSame = 0.15;
+  return std::any_of(tried.begin(), tried.end(), [&](const Tried& one) {
+    return std::abs(one.amount - amount) <= kSame * std::max(std::abs(one.amount), std::abs(amount));
+  });
+}
+
 /// The best amount of those that were tried, but 0.
 ScoreTest BestOf(std::vector<Tried>& tried) {
   Tried* best = nullptr;
@@ -135,19 +142,22 @@ ScoreTest BestOf(std::vector<Tried>& tried) {
 }  // namespace
 
 ScoreTest TestToFirstOrder(const FollowedCost& fitted, const AmountRange& range, const Eigen::VectorXd& at_first) {
+  constexpr int kMost = 4;
+  const Eigen::VectorXd change = (at_first - fitted.point().residuals) / range.first;
   std::vector<Tried> tried = NothingTried(fitted);
   Add(fitted, range.first, at_first, tried);
-  if (range.least == range.greatest) return BestOf(tried);
-  const double amount = BestAmount(fitted.point().loss, range, tried);
-  const Eigen::VectorXd change = (at_first - fitted.point().residuals) / range.first;
-  if (amount != 0 && amount != range.first) Add(fitted, amount, fitted.point().residuals + amount * change, tried);
+  // The best amount is looked for some times as far as has been tried.
+  while (range.least != range.greatest && tried.size() < kMost) {
+    const double amount = BestAmount(fitted.point().loss, range, tried);
+    if (IsTried(tried, amount)) break;
+    Add(fitted, amount, fitted.point().residuals + amount * change, tried);
+  }
   return BestOf(tried);
 }
 
 std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals,
                                     double least_promise) {
   constexpr int kMost = 4;
-  constexpr double kSame = 0.15;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(fitted.point().jacobian.cols());
   std::vector<Tried> tried = NothingTried(fitted);
   const double none_added = fitted.point().loss.Cost(tried.front().remainder);
@@ -168,10 +178,7 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
     amount = BestAmount(fitted.point().loss, range, tried);
     const double promise = none_added - fitted.point().loss.Cost(Interpolated(tried, amount));
     if (promise < least_promise) break;
-    const bool is_known = std::any_of(tried.begin(), tried.end(), [&](const Tried& one) {
-      return std::abs(one.amount - amount) <= kSame * std::max(std::abs(one.amount), std::abs(amount));
-    });
-    if (is_known || std::abs(amount) < 1e-9 * std::abs(range.first)) break;
+    if (IsTried(tried, amount) || std::abs(amount) < 1e-9 * std::abs(range.first)) break;
   }
   if (tried.size() < 2) return std::nullopt;
   ScoreTest test = BestOf(tried);

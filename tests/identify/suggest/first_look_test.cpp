@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "identify/study/loaded_study.h"
 #include "identify/suggest/addition_list.h"
@@ -14,20 +14,17 @@
 namespace fourpost {
 namespace {
 
-struct Case {
-  const char* study;
-  /// What evaluations leave where additions are small: of balances their own derivatives', see SolveBalanceSensitivity.
-  double tolerance;
-};
+class FirstLookAt : public testing::TestWithParam<const char*> {};
 
-class FirstLookAt : public testing::TestWithParam<Case> {};
-
-// Against the residuals of one hundredth of what is looked at first: to first order they change by as much each.
+// Against evaluations at three and six thousandths of what is looked at first, by the change between the two: a balance
+// with friction takes other samples than one without, which moves residuals by 1e-4 whatever the amount. At such
+// amounts friction, the worst, is 6 % beyond first order, and in proportion to the amount.
 TEST_P(FirstLookAt, EachMechanismIsItsEvaluation) {
-  constexpr double kShare = 0.01;
+  constexpr double kShare = 0.003;
+  constexpr double kSecondOrder = 0.1;
   Diagnostics findings;
   std::optional<LoadedStudy> study =
-      LoadStudy(std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies" / GetParam().study, findings);
+      LoadStudy(std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies" / GetParam(), findings);
   ASSERT_TRUE(study) << findings.Format();
   study->Prepare();
   const VehicleObjective objective = study->MakeObjective();
@@ -41,22 +38,22 @@ TEST_P(FirstLookAt, EachMechanismIsItsEvaluation) {
     const double amount = kShare * addition.first;
     if (amount < addition.least) continue;
     const auto there = augmented.At(amount, values);
-    ASSERT_TRUE(there) << addition.words << ": " << augmented.failure();
+    const auto beyond = augmented.At(2 * amount, values);
+    ASSERT_TRUE(there && beyond) << addition.words << ": " << augmented.failure();
     const auto look = LookAt(objective, values, here, std::vector<FirstLook>{{&augmented, amount}}).front();
     if (!look) {
-      // It has coordinates of its own.
-      EXPECT_TRUE(addition.mechanism == "part_on_mounts" || addition.mechanism == "mount") << addition.words;
+      EXPECT_THAT(addition.mechanism, testing::AnyOf("part_on_mounts", "mount", "hysteresis"))
+          << addition.words << ": only what has states of its own is not seen";
       continue;
     }
-    const Eigen::VectorXd change = *there - here;
-    EXPECT_LE((*look - *there).norm(), GetParam().tolerance * change.norm() + 1e-6 * here.norm()) << addition.words;
+    const Eigen::VectorXd change = *beyond - *there;
+    EXPECT_LE((*look - here - change).norm(), kSecondOrder * change.norm() + 1e-6 * here.norm()) << addition.words;
   }
   EXPECT_GE(seen.size(), 6u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Studies, FirstLookAt,
-                         testing::Values(Case{"landrover110/model1.yaml", 0.05},
-                                         Case{"single_wheel_station/model2.yaml", 0.02}),
+                         testing::Values("landrover110/model1.yaml", "single_wheel_station/model2.yaml"),
                          [](const auto& instance) { return std::to_string(instance.index); });
 
 }  // namespace
