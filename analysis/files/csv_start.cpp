@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/files/csv_scanner.h"
+#include "analysis/files/recorded_unit.h"
 #include "analysis/files/time_stamp.h"
 #include "analysis/text/number.h"
 
@@ -19,6 +20,21 @@ bool IsMeasured(std::string field) {
   return ParseNumber(field).has_value() || ParseTimeStamp(field).has_value();
 }
 
+bool IsMarked(const std::string& field) { return !field.empty() && (field[0] == '#' || field[0] == '%'); }
+
+std::string_view WithoutMark(std::string_view field) {
+  return field.substr(std::min(field.size(), field.find_first_not_of("#% ")));
+}
+
+bool IsUnit(const std::string& field) {
+  return ParseRecordedUnit(WithoutBrackets(std::string(WithoutMark(field)))).has_value();
+}
+
+bool IsNameWithUnit(const std::string& field) {
+  const NamedColumn column = SplitColumnName(WithoutMark(field));
+  return !column.unit.empty();
+}
+
 struct LineOfText {
   /// Byte behind the line before.
   std::size_t at = 0;
@@ -27,6 +43,11 @@ struct LineOfText {
   bool is_row = false;
   /// Has no number.
   bool is_header = false;
+  /// Begins as a comment does.
+  bool is_marked = false;
+  /// Half of its fields are units alone, or names with units.
+  bool is_of_units = false;
+  bool names_units = false;
 };
 
 LineOfText LineOf(const CsvRecord& record, std::size_t at) {
@@ -38,6 +59,13 @@ LineOfText LineOf(const CsvRecord& record, std::size_t at) {
   const auto first = std::find_if_not(fields.begin(), fields.end(), is_empty);
   line.is_row = first != fields.end() && IsMeasured(*first);
   line.is_header = std::none_of(fields.begin(), fields.end(), IsMeasured);
+  if (!line.is_header || fields.empty()) return line;
+  const auto is_half = [&](auto is) {
+    return 2 * std::count_if(fields.begin(), last.base(), is) >= last.base() - fields.begin();
+  };
+  line.is_marked = IsMarked(fields.front());
+  line.is_of_units = is_half(IsUnit);
+  line.names_units = is_half(IsNameWithUnit);
   return line;
 }
 
@@ -71,7 +99,11 @@ std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
       return lines[k].is_header && (lines[k].fields == columns || lines[k].fields == columns + 1);
     };
     if (!is_header(i - 1)) return std::nullopt;
-    const std::size_t names = i > 1 && is_header(i - 2) ? i - 2 : i - 1;
+    // Of two such lines the second is one of units, if the first is not about the table that it names.
+    const auto is_about = [&](std::size_t k) {
+      return !lines[k + 1].is_of_units && (lines[k].is_marked || lines[k + 1].names_units);
+    };
+    const std::size_t names = i > 1 && is_header(i - 2) && !is_about(i - 2) ? i - 2 : i - 1;
     return TablePlace{columns, names, lines[names].at};
   }
   return std::nullopt;

@@ -63,6 +63,21 @@ class Frf(ProgramTest):
             self.assertLess(channel["nmse_percent"], 0.1)
         self.assertNotIn("recording-was-fitted", outcome.stderr)
 
+    def test_predicts_whatever_the_column_of_times_is_called(self):
+        """As in the recordings of the fit, or as usual."""
+        names, *rest = (self.folder / "dwells.csv").read_text().split("\n")
+        self.assertIn("time", names.split(","))
+        self.write("zeit.csv", "\n".join([",".join("Zeit" if name == "time" else name for name in names.split(",")), *rest]))
+        self.write("study.yaml", STUDY.format(recording="file: zeit.csv, posts: heave, time: Zeit") + "free: [k]\n")
+        self.run_program("fit", "study.yaml", "-o", "run")
+        for recording in ("zeit.csv", "dwells.csv"):
+            outcome = self.run_program("predict", "run", "--recording", recording, "--json")
+            for channel in json.loads(outcome.stdout)["channels"]:
+                self.assertLess(channel["nmse_percent"], 0.1)
+        self.write("other.csv", (self.folder / "zeit.csv").read_text().replace("Zeit", "Uhr"))
+        output = self.run_program("predict", "run", "--recording", "other.csv", code=3).stderr
+        self.assertIn("one of times, named as in the recordings of the fit", output)
+
     def test_has_the_ends_of_a_band_although_frequencies_are_measured(self):
         measured = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)["responses"][0]["frequency_Hz"]
         self.assertNotEqual((measured[0], measured[-1]), (2, 8))

@@ -281,7 +281,7 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
 
 bool FourPost::Reads(const RecordedTable& table) const {
   // Of a time history responses are made.
-  return IsSteppedSine(table) || IsTimeHistory(table);
+  return IsSteppedSine(table) || IsTimeHistory(table) || TimesAsIn(plan.recordings, table);
 }
 
 }  // namespace fourpost

@@ -37,7 +37,7 @@ class FourPost : public Experiment {
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   std::optional<ExperimentResults> Respond(const Subject& subject, std::optional<Engine> engine,
                                            const WorkHooks& hooks) const override;
-  std::string_view Recordings() const override { return "stepped sines, with a column 'frequency_Hz'"; }
+  std::string_view Recordings() const override { return "stepped sines, with a column 'frequency_Hz' or one of times, named as in the recordings of the fit"; }
   bool Reads(const RecordedTable& table) const override;
   std::optional<ExperimentResults> Predict(const Subject& subject, const PredictionRequest& request,
                                            const WorkHooks& hooks) const override;

@@ -45,6 +45,13 @@ std::vector<std::string> ChannelsIn(const std::filesystem::path& recording) {
   return names;
 }
 
+/// Its faults are reported by the one who reads it in earnest.
+std::optional<SourceChannel> TimesOf(const std::filesystem::path& recording, const FourPostPlan& plan) {
+  Diagnostics unheard;
+  const std::optional<RecordedTable> table = ReadRecordedTable(recording, unheard);
+  return table ? TimesAsIn(plan.recordings, *table) : std::nullopt;
+}
+
 /// Sum over the channels, each at most 1: a strut that friction holds at low frequencies says nothing of the pattern.
 double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) {
   double square = 0;
@@ -90,7 +97,8 @@ class SinePrediction {
         subject_(subject),
         request_(request),
         hooks_(hooks),
-        is_history_(IsOverTime(request.recording)),
+        times_(TimesOf(request.recording, plan)),
+        is_history_(IsOverTime({.name = {}, .file = request.recording, .posts = {}, .pattern = {}, .time = times_})),
         model_(subject.Condensed()->At(subject.vehicle().ParameterValues())) {}
 
   std::optional<ExperimentResults> Run() const {
@@ -158,6 +166,7 @@ class SinePrediction {
     recording.name = request_.recording.stem().string();
     // The window and the files beside it are those of the other recording.
     recording.start_s = recording.end_s = {};
+    recording.time = times_;
     recording.preparation.others.clear();
     if (!is_history_) DropPreparation(recording, plan.channels);
     std::vector<std::string> channels;
@@ -280,6 +289,7 @@ class SinePrediction {
   const PredictionRequest& request_;
   const WorkHooks& hooks_;
   /// Of which responses are made, and which holds the motion of its posts.
+  std::optional<SourceChannel> times_;
   bool is_history_;
   CondensedModel model_;
 };

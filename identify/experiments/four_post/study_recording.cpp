@@ -167,8 +167,10 @@ bool IsOverTime(const StudyRecording& recording) {
   return IsTimeHistory(*table) || (recording.time && table->FindColumn(recording.time->name));
 }
 
-bool IsOverTime(const std::filesystem::path& file) {
-  return IsOverTime(StudyRecording{.name = {}, .file = file, .posts = {}, .pattern = {}});
+std::optional<SourceChannel> TimesAsIn(const std::vector<StudyRecording>& like, const RecordedTable& table) {
+  for (const StudyRecording& recording : like)
+    if (recording.time && table.FindColumn(recording.time->name)) return recording.time;
+  return std::nullopt;
 }
 
 std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording, const std::string& study,

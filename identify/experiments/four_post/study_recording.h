@@ -13,7 +13,8 @@ namespace fourpost {
 
 /// Whether a file is a time history, of which responses are made.
 bool IsOverTime(const StudyRecording& recording);
-bool IsOverTime(const std::filesystem::path& file);
+/// The column of times of one of `like` that a file has too, whatever it is called; nothing where there is none.
+std::optional<SourceChannel> TimesAsIn(const std::vector<StudyRecording>& like, const RecordedTable& table);
 
 /// Sensor of the vehicle, and what was measured for it. Unit, offset and drift of channels are taken out of time
 /// histories before responses are made of them; sign, scale and delay are left to the user of these.

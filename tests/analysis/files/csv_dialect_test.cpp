@@ -69,6 +69,26 @@ TEST(CsvDialect, LeavesCommasInNamesAlone) {
   EXPECT_EQ(table.Number(0, 1), 1.5);
 }
 
+// With as many commas as the names have, and one more.
+TEST(CsvDialect, KnowsALineAboutTheTableFromItsNames) {
+  for (const char* about : {"# rig 7, cold", "# rig 7, cold, dry", "% rig 7, cold", "rig 7, cold"}) {
+    const CsvTable table = Parse(std::string(about) + "\ntime [s],force [kN]\n0,1.5\n1,2\n2,3\n");
+    EXPECT_THAT(table.names(), ElementsAre("time", "force")) << about;
+    EXPECT_THAT(table.units(), ElementsAre("s", "kN")) << about;
+  }
+  const CsvTable bare = Parse("# rig 7, cold\ntime,force\ns,kN\n0,1.5\n1,2\n2,3\n");
+  EXPECT_THAT(bare.names(), ElementsAre("time", "force"));
+  EXPECT_THAT(bare.units(), ElementsAre("s", "kN"));
+}
+
+TEST(CsvDialect, KnowsMarkedNamesAboveUnits) {
+  for (const char* names : {"# time, force\ns, m/s\n", "# time, force\n# s, m/s\n", "#time,force\n[s],[m/s]\n"}) {
+    const CsvTable table = Parse(std::string(names) + "0,1.5\n1,2\n2,3\n");
+    EXPECT_THAT(table.names(), ElementsAre("time", "force")) << names;
+    EXPECT_EQ(table.units().back(), "m/s") << names;
+  }
+}
+
 TEST(CsvDialect, KeepsEmptyFieldsBetweenTabs) {
   const CsvTable table = Parse("a\tb\tc\n1\t\t3\n", CsvHeader::kNames);
   EXPECT_EQ(table.Text(0, 1), "");
