@@ -40,14 +40,6 @@ std::string VehicleName(const fs::path& folder) {
   return name.empty() ? "car" : name;
 }
 
-/// For a comment of XML, which ends at two hyphens.
-std::string PlainName(const fs::path& file) {
-  std::string name = file.filename().string();
-  for (char& letter : name)
-    if (!std::isalnum(static_cast<unsigned char>(letter)) && letter != '.') letter = '_';
-  return name;
-}
-
 /// What must not be lost.
 void CheckPlaces(const InitCommand& command) {
   std::error_code failure;
@@ -122,7 +114,7 @@ int RunInitSuspension(const InitCommand& command) {
   const CarPoints car = was_read ? SortedPoints(*kinds, points, command.points.string(), findings) : CarPoints{};
   if (findings.HasErrors()) throw FaultyInput(findings);
   CheckPlaces(command);
-  const std::string source = command.points.empty() ? "plausible ones of no car" : PlainName(command.points);
+  const std::string source = command.points.empty() ? "plausible ones of no car" : command.points.filename().string();
   const std::string place = command.points.empty() ? (command.folder / kPointsFile).string() : command.points.string();
   const std::string vehicle = SuspensionVehicleText(car, loads, VehicleName(command.folder), source, place, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);

@@ -2,6 +2,7 @@
 import json
 import shutil
 import unittest
+import xml.dom.minidom
 
 from program import SOURCE, ProgramTest
 
@@ -24,6 +25,19 @@ class Chrono(ProgramTest):
         self.assertAlmostEqual(axles[0]["ride_frequency_Hz"], 1.5294, 3)
         self.run_program("kinematics", "car/vehicle.urdf")
         self.run_program("response", "car/vehicle.urdf")
+
+    def test_takes_files_of_any_name(self):
+        vehicle = self.folder / "chrono/vehicle.json"
+        name = "wish--bones <&'>.json"
+        (self.folder / "chrono/car/wishbones.json").rename(self.folder / "chrono/car" / name)
+        vehicle.write_text(vehicle.read_text().replace("wishbones.json", name))
+        vehicle.rename(self.folder / "chrono/a--b <&>.json")
+        self.run_program("init", "car", "--chrono", "chrono/a--b <&>.json", "--tyre", "chrono/car/tyre.json")
+        document = xml.dom.minidom.parse(str(self.folder / "car/vehicle.urdf"))
+        self.assertIn("From a- -b <&>.json of Project Chrono", document.firstChild.data)
+        sources = [each.getAttribute("source") for each in document.getElementsByTagName("fp:parameter")]
+        self.assertTrue(any(f"Chrono, {name}: " in source for source in sources), sources)
+        self.assertEqual(self.run_program("check", "car/vehicle.urdf").stderr, "")
 
     def test_spares_a_vehicle_that_is_there(self):
         self.run_program("init", "car", *MODEL)

@@ -2,6 +2,7 @@
 import csv
 import json
 import unittest
+import xml.dom.minidom
 
 from program import SOURCE, ProgramTest
 
@@ -59,6 +60,9 @@ class Suspension(ProgramTest):
         self.run_program("init", "x<&>--y", "--suspension", "front=a_frame,rear=a_frame", "--points", "a--b <&>.csv")
         self.assertEqual(self.run_program("check", "x<&>--y/vehicle.urdf").stderr, "")
         self.assertEqual((self.folder / "x<&>--y/points.csv").read_text(), points)
+        # expat refuses what XML forbids, as "--" in a comment.
+        head = xml.dom.minidom.parse(str(self.folder / "x<&>--y/vehicle.urdf")).firstChild
+        self.assertIn("Points: a- -b <&>.csv.", head.data)
 
     def test_stands_on_its_loads(self):
         self.run_program("init", "car", "--suspension", "front=double_wishbone,rear=multilink", "--load",
@@ -75,6 +79,7 @@ class Suspension(ProgramTest):
         text = (SOURCE / "docs/suspensions.md").read_text()
         for kind in KINDS:
             self.run_program("init", kind, "--suspension", f"front={kind},rear={kind}")
+            xml.dom.minidom.parse(str(self.folder / kind / "vehicle.urdf"))
             self.assertIn(f"| `{kind}` |", text)
             for row in self.rows(f"{kind}/points.csv"):
                 self.assertIn(f"`{row['point']}`", text, kind)

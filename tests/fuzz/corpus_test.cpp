@@ -46,6 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fuzzed{"Mat", fourpost::FuzzMat, {"tests/fuzz/corpus/mat"}},
         Fuzzed{"Table", fourpost::FuzzTable, {"tests/fuzz/corpus/table"}},
         Fuzzed{"Curve", fourpost::FuzzCurve, {"tests/fuzz/corpus/curve", "tests/fuzz/corpus/table"}},
+        Fuzzed{"Chrono", fourpost::FuzzChrono, {"tests/fuzz/corpus/chrono"}},
         Fuzzed{"Rpc", fourpost::FuzzRpc, {"tests/fuzz/corpus/rpc"}},
         Fuzzed{"Universal", fourpost::FuzzUniversal, {"tests/fuzz/corpus/universal", "tests/data/recordings"}},
         Fuzzed{"Tdms", fourpost::FuzzTdms, {"tests/fuzz/corpus/tdms"}},

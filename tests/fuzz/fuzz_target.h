@@ -27,6 +27,11 @@ void FuzzLvm(const std::string& bytes);
 /// As a file of a curve, of a spring, a damper and a bushing. What can be read rises from point to point.
 void FuzzCurve(const std::string& bytes);
 
+/// As files of a model of Project Chrono, behind a byte 0x1E each: vehicle.json, chassis.json, wishbones.json,
+/// leaf.json, wheel.json and tyre.json, those of tests/data/chrono where they are empty. What can be read is written as
+/// a vehicle that can be read, or refused by a finding.
+void FuzzChrono(const std::string& bytes);
+
 /// As a study beside a vehicle and a recording, which are read with it.
 void FuzzStudy(const std::string& bytes);
 

@@ -149,6 +149,46 @@ def studies():
     write("study/bench", (starter / "damper/model3.yaml").read_text())
 
 
+# Models of Project Chrono: vehicle, chassis, wishbones, leaf, wheel, tyre, those of tests/data/chrono where empty.
+
+STRUT = {
+    "Template": "MacPhersonStrut", "Spindle": {"Mass": 10, "COM": [0, 0.75, 0], "Inertia": [0.05, 0.08, 0.05]},
+    "Upright": {"Mass": 12, "COM": [0, 0.7, 0], "Moments of Inertia": [0.1, 0.1, 0.05]},
+    "Strut": {"Mass": 2, "Inertia": [0.01, 0.01, 0.01]},
+    "Control Arm": {"Mass": 5, "COM": [0, 0.525, -0.15], "Moments of Inertia": [0.05, 0.02, 0.06],
+                    "Location Chassis Front": [0.15, 0.35, -0.15], "Location Chassis Back": [-0.15, 0.35, -0.15],
+                    "Location Upright": [0, 0.7, -0.15]},
+    "Tierod": {"Location Chassis": [0.12, 0.35, -0.1], "Location Upright": [0.12, 0.7, -0.1]},
+    "Spring": {"Location Chassis": [0, 0.56, 0.5], "Location Upright": [0, 0.63, 0.15], "Spring Coefficient": 50000,
+               "Free Length": 0.42, "Minimum Length": 0.29, "Maximum Length": 0.43},
+    "Shock": {"Location Chassis": [0, 0.55, 0.55], "Location Upright": [0, 0.65, 0.05], "Damping Coefficient": 3000}}
+BEAM = {
+    "Template": "RigidPanhardAxle", "Spindle": {"Mass": 10, "COM": [0, 0.75, 0], "Inertia": [0.05, 0.08, 0.05]},
+    "Axle Tube": {"Mass": 80, "COM": [0, 0, 0], "Inertia": [12, 0.5, 12]},
+    "Spring": {"Location Chassis": [0, 0.5, 0.35], "Location Axle": [0, 0.5, 0], "Spring Coefficient": 30000,
+               "Free Length": 0.45},
+    "Shock": {"Location Chassis": [-0.1, 0.45, 0.35], "Location Axle": [-0.1, 0.45, -0.05], "Free Length": 0.4,
+              "Deformation": [-0.1, 0.1], "Map Data": [[-1, -900, -800], [0, 0, 0], [1, 900, 1000]]},
+    "Panhard Rod": {"Location Chassis": [-0.1, -0.5, 0.05], "Location Axle": [-0.1, 0.5, 0.05], "Mass": 4},
+    "Anti Roll Bar": {"Location Chassis": [-0.3, 0.4, 0], "Location Axle": [0, 0.4, 0], "Rotational Stiffness": 1000,
+                      "Mass": 3, "Inertia": [0.1, 0.01, 0.1]}}
+CHASSIS = {"Components": [
+    {"Centroidal Frame": {"Location": [0.1, 0, 0.2], "Orientation": [0.7, 0, 0.7, 0]}, "Mass": 1300,
+     "Moments of Inertia": [450, 1600, 1800], "Products of Inertia": [1, -20, 2], "Void": False},
+    {"Centroidal Frame": {"Location": [0, 0, 0.5]}, "Mass": 100, "Moments of Inertia": [10, 20, 20], "Void": True}]}
+TYRE = {"Design": {"Mass [kg]": 12, "Inertia [kg.m2]": [0.4, 0.8, 0.4], "Unloaded Radius [m]": 0.32, "Rim Radius [m]": 0.2,
+                   "Load Index": 91}}
+
+
+def models():
+    files = [(CORPUS.parents[1] / "data/chrono" / name).read_text()
+             for name in ("vehicle.json", "car/chassis.json", "car/wishbones.json", "car/leaf.json")]
+    for file, name in enumerate(("vehicle", "chassis", "wishbones", "leaf")):
+        write(f"chrono/{name}", "\x1e" * file + files[file])
+    for file, name, parts in ((1, "holes", CHASSIS), (2, "strut", STRUT), (3, "beam", BEAM), (5, "tyre", TYRE)):
+        write(f"chrono/{name}", "\x1e" * file + json.dumps(parts))
+
+
 # Folders of fits: result.json, response.csv, history.csv, motion.csv, validation.csv, bench.csv, study.yaml.
 
 def parameter(name, value):
@@ -363,6 +403,7 @@ if __name__ == "__main__":
     lvm_files()
     tables()
     studies()
+    models()
     results()
     archive("archive/three", 2)
     archive("archive/version_0_1_0", 1)

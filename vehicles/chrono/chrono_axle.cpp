@@ -63,12 +63,13 @@ class AxleReader {
     const KnownBody strut = MaybeChronoBody(file_, "Strut", offset_, 0.5 * (top + bottom));
     Knuckle(ChronoBody(file_.Child("Upright"), offset_) + HalfAt(strut, bottom));
     OnBody(HalfAt(strut, top));
-    const double apart = std::max((Place("Spring", "Location Chassis") - top).norm(),
-                                  (Place("Spring", "Location Upright") - bottom).norm());
+    const Vector3d seat = Place("Spring", "Location Chassis");
+    const Vector3d plate = Place("Spring", "Location Upright");
+    const double apart = std::max((seat - top).norm(), (plate - bottom).norm());
     if (apart > 1e-3)
       file_.ReportAt("Spring", kChronoStrutApart, {file_.Called(), FormatNumber(std::round(1e3 * apart)) + " mm"});
-    const double length = (top - Moved("knuckle", bottom)).norm();
-    Laws(length, length);
+    // Free lengths and stops are those of the coil, which is shorter than its strut.
+    Laws((seat - Moved("knuckle", plate)).norm(), (top - Moved("knuckle", bottom)).norm());
     AntiRollBar("lower_arm");
   }
 

@@ -13,7 +13,7 @@ namespace fourpost {
 /// so that its curves are tensions over extension. Its stops, of Adams Car's example, are 100 N/mm + 0.06 N/mm^3 s^3
 /// within 3 % up to 50 mm. Source: chrono/utils/ChForceFunctors.cpp, chrono/input_output/ChUtilsJSON.cpp.
 
-/// `length`: as drawn.
+/// `length`: as written.
 KnownLaw ChronoSpring(const ChronoNode& spring, const std::string& axle, double length, const std::string& source);
 KnownLaw ChronoShock(const ChronoNode& shock, const std::string& axle, double length, const std::string& source);
 /// Nothing where it has none.

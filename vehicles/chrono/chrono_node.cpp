@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 24U;
+/// The largest file of Chrono's cars has 12 kB.
+constexpr std::size_t kMost_MiB = 1;
 /// No number of a car is larger in SI.
 constexpr double kLargest = 1e12;
 
@@ -28,23 +29,24 @@ std::string Reason(const std::string& what) {
   return at == std::string::npos ? "it cannot be read" : what.substr(at);
 }
 
-const json* Search(const json& value, const std::vector<std::string_view>& names, int depth) {
-  if (depth > 8) return nullptr;
+std::optional<ChronoNumber> Search(const json& value, const std::vector<std::string_view>& names, int depth) {
+  if (depth > 8) return std::nullopt;
   if (value.is_object())
     for (std::string_view name : names)
-      if (const auto found = value.find(name); found != value.end() && found->is_number()) return &*found;
+      if (const auto found = value.find(name); found != value.end() && found->is_number())
+        return ChronoNumber{name, found->get<double>()};
   if (value.is_structured())
     for (const json& below : value)
-      if (const json* found = Search(below, names, depth + 1)) return found;
-  return nullptr;
+      if (const std::optional<ChronoNumber> found = Search(below, names, depth + 1)) return found;
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<ChronoNode> ChronoNode::Read(const std::filesystem::path& path, Diagnostics& diagnostics) {
   std::error_code failure;
-  if (std::filesystem::is_regular_file(path, failure) && std::filesystem::file_size(path, failure) > kMostBytes) {
-    diagnostics.Report(kChronoTooLarge, {path.string()});
+  if (std::filesystem::is_regular_file(path, failure) && std::filesystem::file_size(path, failure) > kMost_MiB << 20U) {
+    diagnostics.Report(kChronoTooLarge, {path.string()}, {std::to_string(kMost_MiB) + " MiB"});
     return std::nullopt;
   }
   std::optional<std::string> text = ReadTextFile(path, diagnostics);
@@ -99,18 +101,28 @@ const json* ChronoNode::Needed(std::string_view name, std::string_view what) con
   return nullptr;
 }
 
+const json* ChronoNode::NeededList(std::string_view name, std::string_view what, std::size_t most) const {
+  const json* found = Needed(name, what);
+  if (!found || !found->is_array() || found->size() <= most) return found;
+  ReportAt(name, kChronoTooMany, {Called(name), std::to_string(found->size()), std::to_string(most)});
+  return nullptr;
+}
+
 ChronoNode ChronoNode::Child(std::string_view name) const {
+  const std::string called = (name_.empty() ? "" : name_ + "/") + std::string(name);
   const json* found = Needed(name, "an object in braces");
-  if (found && !found->is_object()) {
+  // Without a search for a place that there is not.
+  if (!found) return {file_, nullptr, called, at_, *diagnostics_};
+  if (!found->is_object()) {
     ReportAt(name, kChronoValue, {Called(name), "an object in braces"});
     found = nullptr;
   }
-  return {file_, found, (name_.empty() ? "" : name_ + "/") + std::string(name), PlaceOf(name), *diagnostics_};
+  return {file_, found, called, PlaceOf(name), *diagnostics_};
 }
 
-std::vector<ChronoNode> ChronoNode::Items(std::string_view name) const {
+std::vector<ChronoNode> ChronoNode::Items(std::string_view name, std::size_t most) const {
   std::vector<ChronoNode> items;
-  const json* found = Needed(name, "a list in brackets");
+  const json* found = NeededList(name, "a list in brackets", most);
   if (!found) return items;
   if (!found->is_array()) {
     ReportAt(name, kChronoValue, {Called(name), "a list in brackets"});
@@ -164,15 +176,15 @@ Eigen::Vector3d ChronoNode::Vector(std::string_view name) const {
 }
 
 std::string ChronoNode::Text(std::string_view name) const {
-  const json* found = Needed(name, "a text in quotes");
+  const json* found = Needed(name, "a name in quotes");
   if (!found) return "";
-  if (found->is_string()) return found->get<std::string>();
-  ReportAt(name, kChronoValue, {Called(name), "a text in quotes"});
+  if (found->is_string() && !found->get_ref<const std::string&>().empty()) return found->get<std::string>();
+  ReportAt(name, kChronoValue, {Called(name), "a name in quotes"});
   return "";
 }
 
 std::vector<std::vector<double>> ChronoNode::Rows(std::string_view name, std::size_t width) const {
-  const json* found = Needed(name, "rows of numbers in brackets");
+  const json* found = NeededList(name, "rows of numbers in brackets", kMostItems);
   std::vector<std::vector<double>> rows;
   if (!found) return rows;
   bool is_good = found->is_array();
@@ -192,7 +204,7 @@ std::vector<std::vector<double>> ChronoNode::Rows(std::string_view name, std::si
 }
 
 std::vector<double> ChronoNode::Numbers(std::string_view name) const {
-  const json* found = Needed(name, "numbers in brackets");
+  const json* found = NeededList(name, "numbers in brackets", kMostItems);
   std::vector<double> numbers;
   if (!found) return numbers;
   const bool is_good = found->is_array() && std::all_of(found->begin(), found->end(), [](const json& one) {
@@ -219,11 +231,14 @@ std::optional<ChronoNode> ChronoNode::File(std::string_view name) const {
   return std::nullopt;
 }
 
+std::optional<ChronoNumber> ChronoNode::Find(const std::vector<std::string_view>& names) const {
+  return value_ ? Search(*value_, names, 0) : std::nullopt;
+}
+
 std::optional<double> ChronoNode::FindNumber(const std::vector<std::string_view>& names) const {
-  if (!value_) return std::nullopt;
-  const json* found = Search(*value_, names, 0);
-  if (!found || !(std::abs(found->get<double>()) <= kLargest)) return std::nullopt;
-  return found->get<double>();
+  const std::optional<ChronoNumber> found = Find(names);
+  if (!found || !(std::abs(found->value) <= kLargest)) return std::nullopt;
+  return found->value;
 }
 
 }  // namespace fourpost

@@ -56,20 +56,25 @@ std::optional<std::array<ChronoMotion, 2>> MotionToRest(const std::string& text,
 
 std::string ChronoVehicleText(const std::filesystem::path& file, const std::vector<std::filesystem::path>& tyres,
                               const std::string& name, const std::string& place, Diagnostics& diagnostics) {
-  const std::optional<ChronoVehicle> drawn = ReadChronoVehicle(file, tyres, {}, diagnostics);
-  if (!drawn) return {};
+  Diagnostics found;
+  std::optional<ChronoVehicle> car = ReadChronoVehicle(file, tyres, {}, found);
+  // Warnings of this text are those of the one that is written.
+  Diagnostics faults;
   const std::string loaded =
-      KnownVehicleText(drawn->points, drawn->car, name, place, StatedLoads::kAsStated, diagnostics);
-  if (loaded.empty()) return {};
-  const auto motion = MotionToRest(loaded, place, file, diagnostics);
-  // Once more, for what depends on lengths; its findings are those of the first time.
-  Diagnostics again;
-  const std::optional<ChronoVehicle> rest = motion ? ReadChronoVehicle(file, tyres, *motion, again) : drawn;
-  if (!rest) {
-    diagnostics.Add(again);
+      car ? KnownVehicleText(car->points, car->car, name, place, StatedLoads::kAsStated, faults) : "";
+  if (loaded.empty()) {
+    diagnostics.Add(found);
+    diagnostics.Add(faults);
     return {};
   }
-  return KnownVehicleText(rest->points, rest->car, name, place, StatedLoads::kLeftToEquilibrium, diagnostics);
+  if (const auto motion = MotionToRest(loaded, place, file, diagnostics)) {
+    // Once more, for what depends on lengths, with the findings about these.
+    found = {};
+    car = ReadChronoVehicle(file, tyres, *motion, found);
+  }
+  diagnostics.Add(found);
+  if (!car) return {};
+  return KnownVehicleText(car->points, car->car, name, place, StatedLoads::kLeftToEquilibrium, diagnostics);
 }
 
 }  // namespace fourpost

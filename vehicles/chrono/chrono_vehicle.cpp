@@ -22,6 +22,9 @@ constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
 /// Of a passenger car, where no file says it.
 constexpr double kGuessedRadius = 0.33;
 constexpr double kGuessedMass = 15;
+/// Of any tyre [m].
+constexpr double kLeastRadius = 0.1;
+constexpr double kMostRadius = 1.5;
 /// Rate of a tyre without any data [N/m].
 constexpr double kGuessedRate = 200e3;
 
@@ -35,30 +38,30 @@ Eigen::Matrix3d TurnOf(const ChronoNode& frame) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
 
-/// Components of a chassis; older files have one, without a list.
+/// Components of a chassis, less its holes; older files have one, without a list.
 KnownBody ChassisOf(const ChronoNode& chassis) {
   if (!chassis.Has("Components")) return ChronoBody(chassis, Vector3d::Zero());
   KnownBody sum;
+  KnownBody holes;
   for (const ChronoNode& component : chassis.Items("Components")) {
     const ChronoNode frame = component.Child("Centroidal Frame");
     KnownBody body = ChronoBody(component, Vector3d::Zero(), frame.Vector("Location"));
     const Eigen::Matrix3d turn = TurnOf(frame);
     body.inertia = turn * body.inertia * turn.transpose();
-    // A hole.
-    if (component.IsTrue("Void")) {
-      body.mass = -body.mass;
-      body.inertia = -body.inertia;
-    }
-    sum = sum + body;
+    KnownBody& part = component.IsTrue("Void") ? holes : sum;
+    part = part + body;
   }
-  return sum;
+  return sum - holes;
 }
+
+/// More than any car has; each names a file.
+constexpr std::size_t kMostSteerings = 10;
 
 /// Links of a steering that is not read count at its place.
 KnownBody SteeringOf(const ChronoNode& vehicle) {
   KnownBody sum;
   if (!vehicle.Has("Steering Subsystems")) return sum;
-  for (const ChronoNode& entry : vehicle.Items("Steering Subsystems")) {
+  for (const ChronoNode& entry : vehicle.Items("Steering Subsystems", kMostSteerings)) {
     const Vector3d at = entry.Vector("Location");
     const std::optional<ChronoNode> file = entry.File("Input File");
     if (!file) continue;
@@ -97,9 +100,13 @@ ChronoTyre TyreOf(const ChronoNode& entry, const std::optional<ChronoNode>& tyre
   const bool has_units = design.Has("Mass [kg]");
   result.mass += design.Number(has_units ? "Mass [kg]" : "Mass");
   result.inertia += design.Vector(has_units ? "Inertia [kg.m2]" : "Inertia");
-  result.radius = tyre->FindNumber({"Unloaded Radius [m]", "Unloaded Radius", "Radius"}).value_or(0);
-  if (!(result.radius > 0.1 && result.radius < 1.5))
-    tyre->Report(kChronoMissing, {tyre->Called(), "Unloaded Radius", "a number in m"});
+  const std::optional<ChronoNumber> radius = tyre->Find({"Unloaded Radius [m]", "Unloaded Radius", "Radius"});
+  result.radius = radius ? radius->value : 0;
+  if (!radius) tyre->Report(kChronoMissing, {tyre->Called(), "Unloaded Radius", "a number in m"});
+  else if (!(result.radius > kLeastRadius && result.radius < kMostRadius))
+    tyre->ReportAt(radius->name, kChronoRange,
+                   {tyre->Called(radius->name), FormatNumber(result.radius) + " m",
+                    FormatNumber(kLeastRadius) + " to " + FormatNumber(kMostRadius) + " m"});
   result.rate = TyreRate(*tyre, result.radius);
   result.damping = tyre->FindNumber({"Vertical Damping"});
   if (!result.rate || !(*result.rate > 0)) {
@@ -192,7 +199,7 @@ class VehicleReader {
   KnownCar Car() {
     KnownCar car;
     car.body = body_;
-    car.command = "fourpost init --chrono";
+    car.model = "a model of Project Chrono";
     const std::string name = vehicle_.path().filename().string();
     car.source = "From " + name + " of Project Chrono: points, masses, inertias and laws are of its files.";
     for (std::size_t i = 0; i < 2; ++i) {

@@ -6,13 +6,17 @@
 namespace fourpost {
 
 inline const Finding kChronoNoJson{"chrono-no-json", Severity::kError, "not JSON: {}", "correct this place"};
-inline const Finding kChronoTooLarge{"chrono-too-large", Severity::kError, "the file is larger than 16 MiB",
+inline const Finding kChronoTooLarge{"chrono-too-large", Severity::kError, "the file is larger than {}",
                                      "name a vehicle's JSON file"};
 inline const Finding kChronoFileMissing{
     "chrono-file-missing", Severity::kError, "{} = \"{}\" is in none of the folders above this file",
     "keep the files as Chrono has them, paths starting at its folder data or data/vehicle"};
 inline const Finding kChronoMissing{"chrono-missing", Severity::kError, "{} lacks \"{}\"", "add it, {}"};
 inline const Finding kChronoValue{"chrono-value", Severity::kError, "{} is not {}", "correct it"};
+inline const Finding kChronoTooMany{"chrono-too-many", Severity::kError, "{} has {} entries, more than {}",
+                                    "remove those that are no part of a car"};
+inline const Finding kChronoRange{"chrono-range", Severity::kError, "{} is {}, outside {}",
+                                  "correct it; Chrono takes kg and m"};
 inline const Finding kChronoNoVehicle{"chrono-no-vehicle", Severity::kError, "not a wheeled vehicle of Chrono, {}",
                                       "name the file with \"Axles\""};
 inline const Finding kChronoAxles{"chrono-axles", Severity::kError, "the vehicle has {} axles",
@@ -26,12 +30,12 @@ inline const Finding kChronoLaw{
     "add \"Spring Coefficient\" or \"Spring Curve Data\" to a spring, \"Damping Coefficient\", "
     "\"Damping Curve Data\" or \"Map Data\" to a shock"};
 inline const Finding kChronoMap{"chrono-map", Severity::kWarning,
-                                "the force of {} depends on its length as well; taken at {}, as drawn",
+                                "the force of {} depends on its length as well; taken at {}",
                                 "where it moves far from there, its law is another one"};
 inline const Finding kChronoSecondLaw{"chrono-second-law", Severity::kWarning, "{} of {} is not read",
                                       "add an fp:damper between the spring's ends"};
 inline const Finding kChronoStopClosed{"chrono-stop-closed", Severity::kWarning,
-                                       "{} is {} long as drawn, beyond its stop at {}",
+                                       "{} is {} long in the pose that is written, beyond its stop at {}",
                                        "the vehicle is written with that stop just touching"};
 inline const Finding kChronoStrutApart{"chrono-strut-apart", Severity::kWarning,
                                        "the ends of the coil of {} lie up to {} from those of the strut",

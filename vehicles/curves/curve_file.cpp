@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <system_error>
 
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recorded_unit.h"
@@ -12,6 +13,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
+#include "vehicles/curves/curve_limits.h"
 #include "vehicles/curves/curve_points.h"
 #include "vehicles/curves/findings.h"
 #include "vehicles/curves/property_file.h"
@@ -63,7 +65,7 @@ class CurveTable {
     std::vector<CurvePoint> points;
     const std::size_t rows = std::min(table_.rows(x->index), table_.rows(force->index));
     bool is_good = true;
-    for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t row = 0; row < rows && !HasManyFaults(diagnostics_); ++row) {
       const std::optional<double> at = Number(row, *x);
       const std::optional<double> value = Number(row, *force);
       is_good = is_good && at && value;
@@ -150,6 +152,7 @@ std::optional<std::vector<CurvePoint>> PointsOf(const PropertyFile& file, const 
   std::vector<CurvePoint> points;
   bool is_good = true;
   for (const PropertyFile::Row& row : block.rows) {
+    if (file.HasManyFaults()) return std::nullopt;
     const auto numbers = TwoNumbers(row.text, x_si, force_si);
     if (numbers) points.push_back({numbers->first, numbers->second, row.line});
     else file.Report(kTeimRow, row.line, {row.text, std::string(x)});
@@ -186,21 +189,35 @@ std::optional<double> FreeLength(const PropertyFile& file) {
 }
 
 bool IsXml(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && text[first] == '<';
+}
+
+/// Without a byte order mark; nothing, reported, where the file cannot be read, is too large or XML.
+std::optional<std::string> ReadCurveText(const std::filesystem::path& path, Diagnostics& diagnostics) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::error_code failure;
+  if (const std::uintmax_t size = std::filesystem::file_size(path, failure); !failure && size > kMostCurve_MiB << 20U) {
+    diagnostics.Report(kCurveFileTooLarge, {path.string()},
+                       {std::to_string(kMostCurve_MiB) + " MiB", std::to_string(kMostCurvePoints)});
+    return std::nullopt;
+  }
+  std::optional<std::string> text = ReadTextFile(path, diagnostics);
+  if (!text) return std::nullopt;
+  if (text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
+  if (!IsXml(*text)) return text;
+  diagnostics.Report(kCurveXml, {path.string()});
+  return std::nullopt;
 }
 
 /// Of either kind of file. `free_length`: of property files, if any.
 std::optional<std::vector<CurvePoint>> ReadPoints(const std::filesystem::path& path, const CurveForm& form,
                                                   std::optional<double>* free_length, Diagnostics& diagnostics) {
-  const std::optional<std::string> text = ReadTextFile(path, diagnostics);
+  const std::optional<std::string> text = ReadCurveText(path, diagnostics);
   if (!text) return std::nullopt;
-  if (IsXml(*text)) {
-    diagnostics.Report(kCurveXml, {path.string()});
-    return std::nullopt;
-  }
   if (PropertyFile::IsOne(*text)) {
     const PropertyFile file(path.string(), *text, diagnostics);
+    if (file.HasManyFaults()) return std::nullopt;
     std::optional<std::vector<CurvePoint>> points = PropertyPoints(file, form);
     if (points && free_length) *free_length = FreeLength(file);
     return points;
@@ -271,13 +288,10 @@ double DampingOf(const PropertyFile& file, const std::string& name, double si) {
 
 BushingRates RatesOf(const std::filesystem::path& path, Diagnostics& diagnostics) {
   BushingRates rates;
-  const std::optional<std::string> text = ReadTextFile(path, diagnostics);
+  const std::optional<std::string> text = ReadCurveText(path, diagnostics);
   if (!text) return rates;
-  if (IsXml(*text)) {
-    diagnostics.Report(kCurveXml, {path.string()});
-    return rates;
-  }
   const PropertyFile file(path.string(), *text, diagnostics);
+  if (file.HasManyFaults()) return rates;
   file.CheckType("bus", "a bushing");
   const std::optional<PropertyFile::Units> units = file.ReadUnits(true, "a bushing, type 'bus'");
   for (std::size_t i = 0; units && i < kComponents.size(); ++i) {

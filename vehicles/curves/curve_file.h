@@ -32,7 +32,8 @@ struct BushingRates {
 };
 
 // A file is a table of text or of a measurement system with columns `extension` or `speed`, and `force`, or an Adams
-// property file in TeimOrbit format. All faults are reported with their lines; nothing is returned when there was one.
+// property file in TeimOrbit format, of 1 MiB at most. All faults are reported with their lines, up to 100; nothing is
+// returned when there was one.
 
 /// Property files (.spr): the block [CURVE] holds the deflection from FREE_LENGTH of [SPRING_DATA], shortening
 /// positive, and the force, push positive: force = curve(FREE_LENGTH - length). Both signs change.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "vehicles/curves/curve_file.h"
 
 namespace fourpost {
+
+/// A curve of a bench has some tens of points. All are law, and each costs time whenever it is computed.
+inline constexpr std::size_t kMostCurvePoints = 1000;
 
 /// How a curve is called in findings.
 struct CurveNames {

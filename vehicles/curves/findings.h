@@ -29,6 +29,8 @@ inline const Finding kCurvePushesAlways{
     "extension and tension are positive: name the column '-force' or '-speed', or change its sign"};
 inline const Finding kCurveAtRest{"curve-at-rest", Severity::kError, "at no speed the force is {}",
                                   "take that from all points, and state a gas force by <gas> of the damper"};
+inline const Finding kCurveFileTooLarge{"curve-file-too-large", Severity::kError, "the file is larger than {}",
+                                        "write the points of the curve alone, up to {} of them"};
 inline const Finding kCurveXml{"curve-xml", Severity::kError, "a property file in XML, which is not read",
                                "save it in TeimOrbit format, or write its points as a table of text"};
 

@@ -111,7 +111,7 @@ std::optional<double> NumberInSi(std::string_view text, double si) {
 
 PropertyFile::PropertyFile(std::string file, std::string_view text, Diagnostics& diagnostics)
     : file_(std::move(file)), diagnostics_(diagnostics) {
-  for (int line = 1; !text.empty(); ++line) {
+  for (int line = 1; !text.empty() && !HasManyFaults(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     Take(Trimmed(WithoutComment(text.substr(0, end))), line);
     text.remove_prefix(std::min(end + 1, text.size()));

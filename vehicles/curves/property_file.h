@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
+#include "vehicles/curves/curve_limits.h"
 
 namespace fourpost {
 
@@ -39,7 +40,7 @@ class PropertyFile {
     double time = 1;
   };
 
-  /// Reports lines that are none of such a file, and blocks that stand twice.
+  /// Reports lines that are none of such a file, and blocks that stand twice. Ends at HasManyFaults().
   PropertyFile(std::string file, std::string_view text, Diagnostics& diagnostics);
 
   /// Whether a text looks like one: its first line that is no comment is a block.
@@ -57,6 +58,7 @@ class PropertyFile {
   std::optional<double> Number(std::string_view block, std::string_view name, double si, std::string_view sample) const;
 
   const std::string& file() const { return file_; }
+  bool HasManyFaults() const { return fourpost::HasManyFaults(diagnostics_); }
   void Report(const Finding& finding, int line, const std::vector<std::string>& words = {}) const {
     diagnostics_.Report(finding, {file_, line}, words);
   }

@@ -14,6 +14,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/reader/urdf_reader.h"
 #include "vehicles/tags/tag.h"
+#include "vehicles/tags/xml_limits.h"
 
 namespace fourpost {
 namespace {
@@ -52,13 +53,13 @@ class FileTags {
                         .file = MeshPath(faults_.file(), *AttributeText(table, "file")).string()};
     if (content.tag == "fp:spring") {
       const std::optional<SpringCurve>& curve = Read(springs_, path, &ReadSpringCurve);
-      if (!curve) return;
+      if (!curve || !HasRoom(table, curve->points.size())) return;
       AddPoints(table, curve->points, {"extension", "mm"});
       content.lacks_place = !AttributeText(table, "at");
       content.free_length = curve->free_length;
     } else {
       const std::optional<std::vector<CurvePoint>>& curve = Read(dampers_, path, &ReadDamperCurve);
-      if (!curve) return;
+      if (!curve || !HasRoom(table, curve->size())) return;
       AddPoints(table, *curve, {"speed", "m/s"});
     }
     content.xml = InnerText(table);
@@ -69,7 +70,7 @@ class FileTags {
     const std::string path = PathOf(bushing);
     if (path.empty()) return;
     const std::optional<BushingRates>& rates = Read(bushings_, path, &ReadBushingRates);
-    if (!rates) return;
+    if (!rates || !HasRoom(bushing, 4)) return;
     FileContent content{.tag = bushing.Name(),
                         .name = NameOf(bushing),
                         .file = MeshPath(faults_.file(), *AttributeText(bushing, "file")).string()};
@@ -119,6 +120,17 @@ class FileTags {
     return found->second;
   }
 
+  /// For so many more tags, of which files may give as many as a vehicle file may have. Else a fault, the first one
+  /// reported.
+  bool HasRoom(const XMLElement& element, std::size_t more) {
+    made_ += more;
+    if (made_ <= kMostXmlElements) return true;
+    if (made_ - more <= kMostXmlElements)
+      faults_.Report(kFileTags, LineOf(element, "file"), {std::to_string(kMostXmlElements)});
+    else faults_.Follow();
+    return false;
+  }
+
   static void AddPoints(XMLElement& table, const std::vector<CurvePoint>& points, const PointNames& names) {
     for (const CurvePoint& point : points) {
       XMLElement& made = Make(table, "point");
@@ -149,6 +161,7 @@ class FileTags {
   XMLElement& robot_;
   FileFaults& faults_;
   std::vector<FileContent> contents_;
+  std::size_t made_ = 0;
   std::map<std::string, std::optional<SpringCurve>> springs_;
   std::map<std::string, std::optional<std::vector<CurvePoint>>> dampers_;
   std::map<std::string, std::optional<BushingRates>> bushings_;

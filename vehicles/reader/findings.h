@@ -261,6 +261,9 @@ inline const Finding kFileMissing{"curve-file-missing", Severity::kError, "{} do
                                   "correct the path, which starts at the folder of the vehicle file"};
 inline const Finding kFileAndPoints{"file-and-points", Severity::kError, "{} has both a file and <point>s",
                                     "keep one of the two"};
+inline const Finding kFileTags{"file-tags", Severity::kError,
+                               "files give more than {} points and rates, up to this one",
+                               "name shorter curves, or fewer of them"};
 inline const Finding kScaleTwice{"scale-twice", Severity::kError, "{} and {} both follow a parameter",
                                  "write one of them as a number"};
 inline const Finding kCurvePlaceGuided{

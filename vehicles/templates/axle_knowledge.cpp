@@ -18,6 +18,10 @@ KnownBody KnownBody::operator+(const KnownBody& other) const {
   return sum;
 }
 
+KnownBody KnownBody::operator-(const KnownBody& hole) const {
+  return *this + KnownBody{.mass = -hole.mass, .com = hole.com, .inertia = -hole.inertia};
+}
+
 KnownBody KnownBody::Mirrored() const {
   const Eigen::Matrix3d mirror = Eigen::Vector3d(1, -1, 1).asDiagonal();
   return {.mass = mass, .com = mirror * com, .inertia = mirror * inertia * mirror};

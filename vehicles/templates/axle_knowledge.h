@@ -21,6 +21,8 @@ struct KnownBody {
 
   /// The two as one body.
   KnownBody operator+(const KnownBody& other) const;
+  /// What a hole in it leaves; nothing where that has no mass.
+  KnownBody operator-(const KnownBody& hole) const;
   /// On the other side of the car.
   KnownBody Mirrored() const;
   /// With moments of inertia that a body can have: none below zero, the largest at most the sum of the others.
@@ -55,8 +57,8 @@ struct KnownAxle {
 struct KnownCar {
   std::optional<KnownBody> body;
   std::array<KnownAxle, 2> axles;
-  /// What wrote the file: "fourpost init --chrono"; and what it was written from.
-  std::string command;
+  /// What the file is of: "a model of Project Chrono"; and what its numbers are from.
+  std::string model;
   std::string source;
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "analysis/text/number.h"
+#include "vehicles/templates/written_xml.h"
 
 namespace fourpost {
 namespace {
@@ -59,7 +60,8 @@ std::string Text(const ParameterText& parameter) {
   };
   return "  <fp:parameter name=\"" + parameter.name + "\"" + quantity("value", parameter.value) +
          quantity("lower", parameter.lower) + quantity("upper", parameter.upper) +
-         quantity("precision", parameter.precision) + "\n                source=\"" + parameter.source + "\"/>\n";
+         quantity("precision", parameter.precision) + "\n                source=\"" + InAttribute(parameter.source) +
+         "\"/>\n";
 }
 
 std::string AxleWriter::Name(std::string_view part, bool has_side) const {

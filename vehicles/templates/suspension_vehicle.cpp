@@ -12,6 +12,7 @@
 #include "vehicles/ride/vehicle_summary.h"
 #include "vehicles/templates/axle_writer.h"
 #include "vehicles/templates/findings.h"
+#include "vehicles/templates/written_xml.h"
 
 namespace fourpost {
 namespace {
@@ -152,8 +153,9 @@ std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPo
 }
 
 /// `origin`: of points and numbers, in one line.
-std::string HeadText(const std::string& command, const std::string& name, const std::string& origin) {
-  return "<?xml version=\"1.0\"?>\n<!-- Written by `" + command + "`.\n     " + origin +
+std::string HeadText(const std::string& model, const std::string& name, const std::string& origin) {
+  return "<?xml version=\"1.0\"?>\n<!-- Written by `fourpost init` of " + InComment(model) + ".\n     " +
+         InComment(origin) +
          "\n     Axes: "
          "x "
          "forward, y left, z up. The body has axes and origin of the drawing, so that points of body, knuckles\n     "
@@ -165,7 +167,7 @@ std::string HeadText(const std::string& command, const std::string& name, const 
 
 /// What stands on top of a file, and what its numbers are from.
 struct CarOrigin {
-  std::string command;
+  std::string model;
   std::string text;
   /// Of a model.
   std::string source = {};
@@ -174,7 +176,7 @@ struct CarOrigin {
 std::string CarText(const CarPoints& car, const BodyGuess& body, const CarGuess& guess, const std::string& name,
                     const CarOrigin& origin) {
   const GroundPose ground = GroundOf(car);
-  std::string text = HeadText(origin.command, name, origin.text) + BodyText(car, body, ground, origin.source);
+  std::string text = HeadText(origin.model, name, origin.text) + BodyText(car, body, ground, origin.source);
   for (std::size_t i = 0; i < car.size(); ++i) {
     AxleWriter axle(car[i], guess[i], ground.HeightOf(car[i].At("wheel_centre")));
     axle.Comment((i == 0 ? "FRONT: " : "REAR: ") + std::string(car[i].kind->summary) + ".");
@@ -270,8 +272,8 @@ std::string SuspensionVehicleText(const CarPoints& points, const std::optional<A
                                   Diagnostics& diagnostics) {
   ReportSlope(points, file, diagnostics);
   const CarOrigin origin = {
-      .command = "fourpost init --suspension front=" + std::string(points[0].kind->name) +
-                 ",rear=" + std::string(points[1].kind->name),
+      .model =
+          "the suspensions front=" + std::string(points[0].kind->name) + ",rear=" + std::string(points[1].kind->name),
       .text = "Points: " + source +
               ". Masses, inertias and rates are estimates, each with its source: replace them by what you know."};
   try {
@@ -296,7 +298,7 @@ std::string SuspensionVehicleText(const CarPoints& points, const std::optional<A
 
 std::string KnownVehicleText(const CarPoints& points, const KnownCar& known, const std::string& name,
                              const std::string& file, StatedLoads loads, Diagnostics& diagnostics) {
-  const CarOrigin origin = {.command = known.command, .text = known.source, .source = known.axles[0].source};
+  const CarOrigin origin = {.model = known.model, .text = known.source, .source = known.axles[0].source};
   CarGuess guess;
   for (std::size_t i = 0; i < guess.size(); ++i) guess[i].known = known.axles[i];
   try {

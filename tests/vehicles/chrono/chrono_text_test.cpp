@@ -9,6 +9,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 #include "vehicles/chrono/chrono_axle.h"
+#include "vehicles/chrono/chrono_vehicle.h"
 #include "vehicles/chrono/findings.h"
 #include "vehicles/description/gravity.h"
 #include "vehicles/poses/settled_pose.h"
@@ -138,6 +139,98 @@ TEST_F(ChronoText, StandsWhereItsFreeLengthsLetIt) {
   EXPECT_EQ(seen, 4);
 }
 
+/// Double wishbones as a MacPherson strut, whose coil covers seven tenths of the strut's length, from a tenth below
+/// its top.
+const std::string kStrut = R"({
+  "Name": "strut", "Type": "Suspension", "Template": "MacPhersonStrut",
+  "Spindle": { "Mass": 10, "COM": [0, 0.75, 0], "Inertia": [0.05, 0.08, 0.05], "Radius": 0.1, "Width": 0.06 },
+  "Upright": {
+    "Mass": 12, "COM": [0, 0.7, 0], "Moments of Inertia": [0.1, 0.1, 0.05], "Products of Inertia": [0, 0, 0],
+    "Radius": 0.02
+  },
+  "Strut": { "Mass": 2, "Inertia": [0.01, 0.01, 0.01], "Radius": 0.02 },
+  "Control Arm": {
+    "Mass": 5, "COM": [0, 0.525, -0.15], "Moments of Inertia": [0.05, 0.02, 0.06], "Products of Inertia": [0, 0, 0],
+    "Radius": 0.02,
+    "Location Chassis Front": [0.15, 0.35, -0.15], "Location Chassis Back": [-0.15, 0.35, -0.15],
+    "Location Upright": [0, 0.7, -0.15]
+  },
+  "Tierod": { "Location Chassis": [0.12, 0.35, -0.1], "Location Upright": [0.12, 0.7, -0.1] },
+  "Spring": {
+    "Location Chassis": [0, 0.56, 0.5], "Location Upright": [0, 0.63, 0.15],
+    "Spring Coefficient": 50000, "Free Length": 0.42, "Minimum Length": 0.29, "Maximum Length": 0.43
+  },
+  "Shock": {
+    "Location Chassis": [0, 0.55, 0.55], "Location Upright": [0, 0.65, 0.05], "Damping Coefficient": 3000
+  },
+  "Axle": { "Inertia": 0.4 }
+})";
+
+// Its spring is written along the strut, but free length and stops count between the coil's own ends, which stay three
+// tenths of the strut as drawn from those of the strut.
+TEST_F(ChronoText, TakesTheCoilOfAStrutBetweenItsOwnEnds) {
+  folder_.Write("car/strut.json", kStrut);
+  Change("vehicle.json", "car/wishbones.json", "car/strut.json");
+  const Vehicle vehicle = Read(Text());
+  EXPECT_THAT(found_, Reports(kChronoStrutApart));
+  const std::vector<double> values = vehicle.ParameterValues();
+  const std::optional<SettledPose> pose = Settle(vehicle, values);
+  ASSERT_TRUE(pose);
+  EXPECT_LT(pose->Shift(), 1e-6);
+  const double rest = 0.3 * std::hypot(0.1, 0.5);
+  double coil = 0;
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    if (vehicle.springs[i].name != "front_coil_left") continue;
+    coil = pose->springs[i].length - rest;
+    // As in StandsWhereItsFreeLengthsLetIt.
+    EXPECT_NEAR(-pose->springs[i].force, 50e3 * (0.42 - coil), 2);
+  }
+  ASSERT_GT(coil, 0.29);
+  ASSERT_LT(coil, 0.43);
+  int stops = 0;
+  for (const Spring& spring : vehicle.springs) {
+    if (spring.kind != Spring::Kind::kStop || !spring.name.starts_with("front")) continue;
+    const SpringLaw law = spring.law.At(values);
+    // To the micrometre of a pose at rest.
+    EXPECT_NEAR(law.Force(0.29 - coil - 0.01), -(100e3 * 0.01 + 0.06e9 * 1e-6), 0.5);
+    EXPECT_NEAR(law.Force(0.43 - coil + 0.01), 100e3 * 0.01 + 0.06e9 * 1e-6, 0.5);
+    ++stops;
+  }
+  EXPECT_EQ(stops, 2);
+}
+
+// Before they come to rest the springs would be shorter than their stops let them.
+TEST_F(ChronoText, WarnsOfThePoseThatItWrites) {
+  Change("car/wishbones.json", "0.45217138", "0.52");
+  Change("car/wishbones.json", "\"Minimum Length\": 0.3, \"Maximum Length\": 0.46",
+         "\"Minimum Length\": 0.41, \"Maximum Length\": 0.6");
+  EXPECT_FALSE(Text().empty());
+  EXPECT_THAT(found_, ReportsOnly(kChronoGuide, Line("car/leaf.json", "Template")));
+}
+
+TEST_F(ChronoText, TakesHolesFromTheWholeInAnyOrder) {
+  const std::string hole = R"({
+      "Centroidal Frame": { "Location": [0.5, 0, 0.25], "Orientation": [1, 0, 0, 0] },
+      "Mass": 300, "Moments of Inertia": [10, 20, 30], "Products of Inertia": [0, 0, 0], "Void": true
+    })";
+  const auto body = [&] {
+    const auto car = ReadChronoVehicle(folder_.path() / "vehicle.json", {folder_.path() / "car/tyre.json"}, {}, found_);
+    return car ? car->car.body.value() : KnownBody();
+  };
+  const std::string chassis = ReadText(folder_.path() / "car/chassis.json");
+  for (const std::string& text : {Replace(chassis, "[\n    {", "[\n    " + hole + ",\n    {"),
+                                  Replace(chassis, "}\n  ]", "},\n    " + hole + "\n  ]")}) {
+    folder_.Write("car/chassis.json", text);
+    const KnownBody left = body();
+    EXPECT_DOUBLE_EQ(left.mass, 900) << found_.Format();
+    EXPECT_NEAR(left.com.x(), -300 * 0.5 / 900, 1e-12);
+    EXPECT_NEAR(left.com.z(), 0.25, 1e-12);
+    // About its centre: 1600 + 1200 r^2 - (20 + 300 s^2), r and s the distances of both parts from there.
+    EXPECT_NEAR(left.inertia(1, 1), 1600 + 1200 * std::pow(0.5 / 3, 2) - 20 - 300 * std::pow(2.0 / 3, 2), 1e-9);
+    EXPECT_NEAR(left.inertia(0, 0), 450 - 10, 1e-9);
+  }
+}
+
 TEST_F(ChronoText, GuessesTyresWithAWarning) {
   const std::string text = Text(false);
   EXPECT_FALSE(text.empty());
@@ -169,6 +262,48 @@ TEST_F(ChronoText, RefusesWhatItDoesNotRead) {
   EXPECT_TRUE(Text().empty());
   EXPECT_THAT(found_, ReportsOnly(kChronoTemplate, Line("car/leaf.json", "Hendrickson"),
                                   {"HendricksonPRIMAXX", "DoubleWishbone"}));
+}
+
+TEST_F(ChronoText, RefusesEmptyTexts) {
+  Change("car/leaf.json", "\"LeafspringAxle\"", "\"\"");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, ReportsOnly(kChronoValue, Line("car/leaf.json", "Template"), {"Template", "a name"}));
+}
+
+TEST_F(ChronoText, RefusesTyresOfNoSize) {
+  Change("car/tyre.json", "\"Unloaded Radius\": 0.32", "\"Unloaded Radius\": 320");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, Reports(kChronoRange, Line("car/tyre.json", "Unloaded"), {"Unloaded Radius", "320 m", "1.5 m"}));
+  EXPECT_THAT(found_, testing::Not(Reports(kChronoMissing)));
+  found_ = {};
+  Change("car/tyre.json", "\"Unloaded Radius\": 320, ", "");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, Reports(kChronoMissing, {"Unloaded Radius"}));
+}
+
+std::string Times(int count, const std::string& item) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += (i > 0 ? "," : "") + item;
+  return text;
+}
+
+TEST_F(ChronoText, RefusesLongLists) {
+  folder_.Write("car/chassis.json", "{\"Components\": [" + Times(1001, "{}") + "]}");
+  Change("car/wishbones.json", "[0.05, 0.08, 0.05]", "[0.05, 0.08, 0.05], \"Ignored\": [" + Times(1001, "0") + "]");
+  Change("car/leaf.json", "[-1, -1000], ", Times(1001, "[0, 0]") + ",");
+  Change("vehicle.json", "\"Axles\": [", "\"Steering Subsystems\": [" + Times(11, "{}") + "],\n\"Axles\": [");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, Reports(kChronoTooMany, 1, {"Components", "1001", "1000"}));
+  EXPECT_THAT(found_, Reports(kChronoTooMany, Line("car/leaf.json", "Damping Curve Data"), {"1005", "1000"}));
+  EXPECT_THAT(found_, Reports(kChronoTooMany, Line("vehicle.json", "Steering Sub"), {"11", "10"}));
+  // And the guide of its beam axle.
+  EXPECT_EQ(found_.items().size(), 4U) << found_.Format();
+}
+
+TEST_F(ChronoText, RefusesLargeFiles) {
+  folder_.Write("car/chassis.json", ReadText(folder_.path() / "car/chassis.json") + std::string(1 << 20, ' '));
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, Reports(kChronoTooLarge, 0, {"1 MiB"}));
 }
 
 TEST_F(ChronoText, RefusesBrokenJson) {

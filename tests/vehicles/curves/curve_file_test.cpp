@@ -120,7 +120,8 @@ TEST_F(CurveFile, WarnsOfABentCurveOfABushing) {
   const std::optional<BushingRates> rates = Bushing(text);
   ASSERT_TRUE(rates);
   EXPECT_DOUBLE_EQ(rates->stiffness[0], 1e6);
-  EXPECT_THAT(found_, ReportsOnly(kBushingCurveBent, LineOfFirst(text, "[FX_CURVE]"), {"FX_CURVE", "1000 N/mm", "2000 N/mm"}));
+  EXPECT_THAT(found_,
+              ReportsOnly(kBushingCurveBent, LineOfFirst(text, "[FX_CURVE]"), {"FX_CURVE", "1000 N/mm", "2000 N/mm"}));
 }
 
 TEST_F(CurveFile, TakesABushingWithoutDamping) {
@@ -142,6 +143,44 @@ TEST_F(CurveFile, RefusesRecordingsOfManyPoints) {
   for (int i = 1; i <= 1001; ++i) text += std::to_string(i) + "," + std::to_string(i) + "\n";
   EXPECT_FALSE(Damper(text));
   EXPECT_THAT(found_, ReportsOnly(kCurveTooLong, 1002, {"1001", "1000"}));
+}
+
+TEST_F(CurveFile, PassesByAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_TRUE(Spring(mark + kSpringTable)) << found_.Format();
+  EXPECT_TRUE(Spring(mark + kSpringFile)) << found_.Format();
+  EXPECT_TRUE(Damper(mark + kDamperFile)) << found_.Format();
+  EXPECT_TRUE(Bushing(mark + kBushingFile)) << found_.Format();
+}
+
+TEST_F(CurveFile, RefusesLargeFiles) {
+  const std::string large = kSpringTable + std::string(1 << 20, '\n');
+  EXPECT_FALSE(Spring(large));
+  EXPECT_THAT(found_, ReportsOnly(kCurveFileTooLarge, 0, {"1 MiB", "1000"}));
+  found_ = {};
+  EXPECT_FALSE(Bushing(kBushingFile + std::string(1 << 20, '\n')));
+  EXPECT_THAT(found_, ReportsOnly(kCurveFileTooLarge, 0));
+}
+
+TEST_F(CurveFile, StopsAfterAHundredFaults) {
+  const auto rows = [](const std::string& row) {
+    std::string text;
+    for (int i = 0; i < 20000; ++i) text += row;
+    return text;
+  };
+  const auto is_short = [&] {
+    EXPECT_LE(found_.items().size(), 100U) << found_.items().back().id;
+    EXPECT_GE(found_.items().size(), 90U) << found_.Format();
+    found_ = {};
+  };
+  EXPECT_FALSE(Spring(kSpringTable + rows("a,b,c\n")));
+  is_short();
+  EXPECT_FALSE(Damper(kDamperTable + rows("1,-1\n")));
+  is_short();
+  EXPECT_FALSE(Spring("[UNITS]\n[UNITS]\n" + rows("[UNITS]\n")));
+  is_short();
+  EXPECT_FALSE(Damper(Replace(kDamperFile, "[CURVE]", "[CURVE]\n" + rows("1\n"))));
+  is_short();
 }
 
 TEST_F(CurveFile, ReportsAllFaultsAtOnce) {

@@ -196,6 +196,20 @@ TEST_F(FileTags, ReportFilesWithPointsBeside) {
   Expect(LineOf(text, "file=\"shock.csv\""), kFileAndPoints);
 }
 
+// A small file that names a curve often must not take the memory.
+TEST_F(FileTags, GiveNoMoreTagsThanAVehicleFileHas) {
+  std::string curve = "speed [m/s],force [N]\n";
+  for (int i = 1; i <= 1000; ++i) curve += std::to_string(i) + "," + std::to_string(i) + "\n";
+  Write(curve, "long.csv");
+  std::string dampers;
+  for (int i = 0; i < 205; ++i)
+    dampers += "\n  <fp:damper name=\"d" + std::to_string(i) +
+               R"(" parent="top" child="wheel"><table file="long.csv"/></fp:damper>)";
+  const std::string text = Replaced(kSmallVehicle, "  <fp:rod", "  " + dampers + "\n  <fp:rod");
+  EXPECT_FALSE(Read(text));
+  Expect(LineOf(text, "name=\"d200\""), kFileTags, {"200000"});
+}
+
 // In its own file and line, once for all that name it.
 TEST_F(FileTags, ReportFaultsOfTheFile) {
   Write("speed [m/s],force [N]\n-1,900\n0.1,300\n1,200\n", "shock.csv");

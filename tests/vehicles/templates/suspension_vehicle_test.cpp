@@ -38,6 +38,21 @@ TEST_P(EachSuspension, IsReadAndCheckedWithoutAFinding) {
   EXPECT_TRUE(findings.items().empty()) << findings.Format();
 }
 
+// XML forbids them, and most parsers but ours refuse them.
+TEST_P(EachSuspension, HasNoTwoHyphensInAComment) {
+  const auto kinds = KindsOf(GetParam(), GetParam());
+  Diagnostics findings;
+  const std::string text = suspension_cars::TextOf(kinds, UsualPoints(kinds), findings);
+  int comments = 0;
+  for (std::size_t at = text.find("<!--"); at != std::string::npos; at = text.find("<!--", at)) {
+    at += 4;
+    const std::size_t end = text.find("--", at);
+    EXPECT_EQ(text.substr(end, 3), "-->") << text.substr(at, end - at + 20);
+    ++comments;
+  }
+  EXPECT_GE(comments, 3);
+}
+
 TEST_P(EachSuspension, WritesEachValueOnce) {
   const auto kinds = KindsOf(GetParam(), GetParam());
   Diagnostics findings;
