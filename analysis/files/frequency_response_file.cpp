@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view kAmplitude = "post_amplitude_m";
 /// The first may be stated elsewhere.
 constexpr std::array<std::string_view, 5> kRequired = {kAmplitude, "frequency_Hz", "channel", "gain", "phase_deg"};
-constexpr std::array<std::string_view, 6> kOptional = {"gain_sd",         "phase_sd_deg", "mean",
+constexpr std::array<std::string_view, 7> kOptional = {"gain_sd",         "phase_sd_deg", "mean",    "mean_sd",
                                                        "second_harmonic", "unit",         kAmplitude};
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -178,6 +178,7 @@ class FrequencyResponseReader {
     out.phase_sd_rad = ReadOptional(channel, "phase_sd_deg", Sign::kNotNegative);
     Scale(RadiansFromDegrees(1), out.phase_sd_rad);
     out.mean = ReadOptional(channel, "mean", Sign::kAny);
+    out.mean_sd = ReadOptional(channel, "mean_sd", Sign::kNotNegative);
     out.second_harmonic = ReadOptional(channel, "second_harmonic", Sign::kNotNegative);
     ToSi(ReadUnit(channel), out);
     return out;
@@ -231,6 +232,7 @@ class FrequencyResponseReader {
   static void ToSi(const Unit& unit, ChannelResponse& channel) {
     channel.unit = ChannelUnit(unit.dimension);
     Scale(unit.si, channel.mean);
+    Scale(unit.si, channel.mean_sd);
     Scale(unit.si, channel.second_harmonic);
     // Accelerations are relative to that of the post.
     if (unit.dimension == kAcceleration) return;

@@ -33,12 +33,11 @@ Eigen::MatrixXd Basis(std::size_t first, std::size_t last, double cycles_per_sam
 }
 
 /// Offset, cosine and sine.
-Complex FundamentalOf(std::span<const double> samples, const std::vector<double>& cosine,
-                      const std::vector<double>& sine, const Eigen::Matrix3d& inverse) {
+Eigen::Vector3d SineIn(std::span<const double> samples, const std::vector<double>& cosine,
+                       const std::vector<double>& sine, const Eigen::Matrix3d& inverse) {
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < samples.size(); ++k) right += samples[k] * Eigen::Vector3d(1, cosine[k], sine[k]);
-  const Eigen::Vector3d fitted = inverse * right;
-  return {fitted[1], -fitted[2]};
+  return inverse * right;
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ std::vector<SineFit> FitSines(std::span<const std::span<const double>> signals, 
     const Eigen::Map<const Eigen::VectorXd> samples(signal.data() + first, basis.rows());
     const double offset = samples.mean();
     const Eigen::VectorXd fitted = normal.solve(basis.transpose() * (samples.array() - offset).matrix());
-    SineFit fit{.mean = offset + fitted[0]};
+    SineFit fit{.mean = offset + fitted[0], .drift = 2 * fitted[1]};
     for (int h = 1; h <= count; ++h) fit.phasor.emplace_back(fitted[2 * h], -fitted[2 * h + 1]);
     fits.push_back(std::move(fit));
   }
@@ -73,6 +72,7 @@ CyclePhasors PhasorsByCycle(std::span<const std::span<const double>> signals, do
   const double length = out.cycles / cycles_per_sample;
   out.start.push_back(static_cast<std::size_t>(std::ceil(first)));
   out.phasor.resize(signals.size());
+  out.offset.resize(signals.size());
   for (int block = 1; first + block * length <= last; ++block) {
     const std::size_t begin = out.start.back();
     const auto end = static_cast<std::size_t>(std::ceil(first + block * length));
@@ -87,8 +87,11 @@ CyclePhasors PhasorsByCycle(std::span<const std::span<const double>> signals, do
       normal += row * row.transpose();
     }
     const Eigen::Matrix3d inverse = normal.inverse();
-    for (std::size_t s = 0; s < signals.size(); ++s)
-      out.phasor[s].push_back(FundamentalOf(signals[s].subspan(begin, end - begin), cosine, sine, inverse));
+    for (std::size_t s = 0; s < signals.size(); ++s) {
+      const Eigen::Vector3d fitted = SineIn(signals[s].subspan(begin, end - begin), cosine, sine, inverse);
+      out.offset[s].push_back(fitted[0]);
+      out.phasor[s].emplace_back(fitted[1], -fitted[2]);
+    }
     out.start.push_back(end);
   }
   return out;

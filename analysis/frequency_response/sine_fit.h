@@ -14,6 +14,8 @@ struct SineFit {
   std::vector<std::complex<double>> phasor;
   /// At the middle of the samples.
   double mean = 0;
+  /// From the first sample to the last one.
+  double drift = 0;
 };
 
 /// Fits signals of one length to samples first..last (the last excluded). `origin`: the sample at which phases count,
@@ -29,6 +31,8 @@ struct CyclePhasors {
   std::vector<std::size_t> start;
   /// Of the fundamental: of each signal one per block.
   std::vector<std::vector<std::complex<double>>> phasor;
+  /// Of each signal one per block, in its unit.
+  std::vector<std::vector<double>> offset;
   /// Of a block.
   int cycles = 1;
 

@@ -37,17 +37,19 @@ std::optional<double> FrequencyAt(std::span<const TonePoint> track, std::size_t 
   return line.slope() / (2 * std::numbers::pi);
 }
 
-/// The frequency that is nearest, by its place.
+/// The frequency that is nearest and near enough, by its place.
 std::optional<std::size_t> NearestTo(double frequency, std::span<const double> stated) {
   constexpr double kAlone = 0.05;
   constexpr double kHalf = 0.5;
+  /// Of frequencies that are far apart.
+  constexpr double kNear = 0.2;
   const auto after = std::lower_bound(stated.begin(), stated.end(), frequency);
   auto nearest = after;
   if (after == stated.end() || (after != stated.begin() && frequency - *(after - 1) < *after - frequency)) --nearest;
   double gap = std::numeric_limits<double>::infinity();
   if (nearest != stated.begin()) gap = std::min(gap, *nearest - *(nearest - 1));
   if (nearest + 1 != stated.end()) gap = std::min(gap, *(nearest + 1) - *nearest);
-  const double reach = stated.size() > 1 ? kHalf * gap : kAlone * *nearest;
+  const double reach = stated.size() > 1 ? std::min(kHalf * gap, kNear * *nearest) : kAlone * *nearest;
   if (std::abs(frequency - *nearest) > reach) return std::nullopt;
   return static_cast<std::size_t>(nearest - stated.begin());
 }

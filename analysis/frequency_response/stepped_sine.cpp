@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "analysis/frequency_response/settled_part.h"
@@ -171,7 +172,11 @@ class DwellFit {
     out.amplitude = std::abs(reference);
     out.post_distortion = PostDistortion(fits, out.shares) / out.amplitude;
     for (std::size_t s = posts_; s < all_.size(); ++s) {
-      DwellChannel channel{.response = fits[s].phasor.front() / reference, .mean = fits[s].mean};
+      const std::span<const double> offsets = std::span(cycles.offset[s]).subspan(settled);
+      DwellChannel channel{.response = fits[s].phasor.front() / reference,
+                           .mean = fits[s].mean,
+                           .mean_variance = VarianceOfMean(std::vector<Complex>(offsets.begin(), offsets.end())),
+                           .drift = fits[s].drift};
       for (const Complex& phasor : fits[s].phasor) channel.harmonics.push_back(std::abs(phasor));
       std::vector<Complex> differences;
       for (std::size_t k = settled; k < cycles.blocks(); ++k)
@@ -201,6 +206,38 @@ class DwellFit {
   double frequency_ = 0;
 };
 
+/// Adds what transients may have left in the means. `responses`: of one record, in its order.
+void AddTransients(std::vector<DwellResponse>& responses, double rate_Hz) {
+  constexpr double kSlowest_Hz = 0.5;
+  /// Variance of a line's fall, over that of its mean: of n even values 12 / n to 1 / n.
+  constexpr double kOfNoise = 12;
+  std::vector<std::vector<double>> squares;
+  for (const DwellResponse& response : responses)
+    for (std::vector<double>& of_channels = squares.emplace_back(); const DwellChannel& channel : response.channels)
+      of_channels.push_back(channel.drift * channel.drift - kOfNoise * channel.mean_variance);
+  for (std::size_t r = 0; r < responses.size(); ++r) {
+    const double duration_s = static_cast<double>(responses[r].last - responses[r].first) / rate_Hz;
+    const double share = 1 / (2 * std::numbers::pi * kSlowest_Hz * duration_s);
+    const std::size_t first = r > 0 ? r - 1 : r;
+    const std::size_t last = std::min(r + 1, responses.size() - 1);
+    for (std::size_t c = 0; c < responses[r].channels.size(); ++c) {
+      double sum = 0;
+      for (std::size_t near = first; near <= last; ++near) sum += squares[near][c];
+      responses[r].channels[c].mean_variance +=
+          share * share * std::max(0.0, sum) / static_cast<double>(last - first + 1);
+    }
+  }
+}
+
+RestLevel LevelOf(std::span<const double> still, double rate_Hz) {
+  constexpr double kBlock_s = 0.1;
+  const auto size = static_cast<std::size_t>(std::max(1.0, std::round(kBlock_s * rate_Hz)));
+  std::vector<Complex> means;
+  for (std::size_t first = 0; first + size <= still.size(); first += size)
+    means.emplace_back(Mean(still.subspan(first, size)));
+  return {.mean = Mean(still), .variance = VarianceOfMean(means)};
+}
+
 }  // namespace
 
 double DwellChannel::Distortion() const {
@@ -215,10 +252,11 @@ std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<
   for (const Dwell& dwell : dwells)
     if (std::optional<DwellResponse> response = DwellFit(signals, dwell, reference).Respond())
       responses.push_back(*std::move(response));
+  AddTransients(responses, signals.rate_Hz);
   return responses;
 }
 
-std::vector<double> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells) {
+std::vector<RestLevel> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells) {
   constexpr double kRest = 5e-3;
   constexpr double kLeast_s = 0.5;
   double largest = 0;
@@ -234,9 +272,10 @@ std::vector<double> LevelsAtRest(const RigSignals& signals, std::span<const Dwel
   };
   std::size_t still = 0;
   while (still + length <= signals.samples() && is_still(still)) still += length;
-  std::vector<double> levels;
+  std::vector<RestLevel> levels;
   if (still == 0) return levels;
-  for (const std::span<const double> channel : signals.channels) levels.push_back(Mean(channel.first(still)));
+  for (const std::span<const double> channel : signals.channels)
+    levels.push_back(LevelOf(channel.first(still), signals.rate_Hz));
   return levels;
 }
 

@@ -20,6 +20,10 @@ struct DwellChannel {
   double variance = 0;
   /// In the channel's unit, over the settled cycles.
   double mean = 0;
+  /// Of it: by the scatter of cycles, and by what the last change of frequency may have left in it.
+  double mean_variance = 0;
+  /// Of its straight drift over these cycles, in the channel's unit.
+  double drift = 0;
   /// Amplitudes of harmonics 1, 2, ... in the channel's unit.
   std::vector<double> harmonics;
 
@@ -50,12 +54,24 @@ struct DwellResponse {
 /// The response is the ratio of the fundamentals to the motion of the posts' pattern. Its variance is that of the mean
 /// of the cycles' differences from it, Y - H X over X, see VarianceOfMean(): noise of posts and channels alike, as far
 /// as they are not of one source. Dwells with fewer than three whole settled cycles are left out.
+///
+/// A mean settles with the slowest mode of the vehicle, whatever the frequency of the posts, and a dwell of ten cycles
+/// at 20 Hz lasts half a second. Of a transient A exp(s t) the mean over T seconds is its change over them by s T, so
+/// that the drift shows what is left of it in the mean: drift / (2 pi f T), with 0.5 Hz for f, which few vehicles go
+/// below. Drifts are those of a dwell and its neighbours in time, as one may turn just then.
 std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<const Dwell> dwells,
                                            std::optional<std::size_t> reference = std::nullopt);
 
-/// Mean of every channel before the posts first move, by no more than half a per cent of the largest amplitude for half
+/// A channel's reading where nothing moves, in its unit.
+struct RestLevel {
+  double mean = 0;
+  /// Of the mean, by the scatter of tenths of a second.
+  double variance = 0;
+};
+
+/// Of every channel before the posts first move, by no more than half a per cent of the largest amplitude for half
 /// a second at least; empty where they move from the start. Later pauses do not count: the vehicle still rings down in
 /// them.
-std::vector<double> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells);
+std::vector<RestLevel> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells);
 
 }  // namespace fourpost

@@ -32,10 +32,12 @@ bool Takes(DwellGroup& group, const DwellResponse& dwell) {
   return true;
 }
 
-double Spread(std::span<const DwellResponse> repeats, std::size_t channel, std::complex<double> mean) {
+/// Variance of the mean of what repeats say, by its scatter.
+template <typename Value>
+double Spread(std::span<const DwellResponse> repeats, Value value, std::complex<double> mean) {
   const double n = static_cast<double>(repeats.size());
   double sum = 0;
-  for (const DwellResponse& repeat : repeats) sum += std::norm(repeat.channels[channel].response - mean);
+  for (const DwellResponse& repeat : repeats) sum += std::norm(value(repeat) - mean);
   return repeats.size() > 1 ? sum / (n - 1) / n : 0;
 }
 
@@ -68,12 +70,17 @@ DwellResponse MeanOf(std::span<const DwellResponse> repeats) {
   mean.shares.rest = average([](const DwellResponse& repeat) { return repeat.shares.rest; });
   for (std::size_t c = 0; c < mean.channels.size(); ++c) {
     DwellChannel& channel = mean.channels[c];
-    channel.response = average([c](const DwellResponse& repeat) { return repeat.channels[c].response; });
-    channel.mean = average([c](const DwellResponse& repeat) { return repeat.channels[c].mean; });
+    const auto response_of = [c](const DwellResponse& repeat) { return repeat.channels[c].response; };
+    const auto mean_of = [c](const DwellResponse& repeat) { return repeat.channels[c].mean; };
+    channel.response = average(response_of);
+    channel.mean = average(mean_of);
     for (std::size_t h = 0; h < channel.harmonics.size(); ++h)
       channel.harmonics[h] = average([&](const DwellResponse& repeat) { return repeat.channels[c].harmonics[h]; });
     const double within = average([c](const DwellResponse& repeat) { return repeat.channels[c].variance; }) / n;
-    channel.variance = std::max(within, Spread(repeats, c, channel.response));
+    channel.variance = std::max(within, Spread(repeats, response_of, channel.response));
+    // What transients leave is the same in every repeat.
+    const double of_mean = average([c](const DwellResponse& repeat) { return repeat.channels[c].mean_variance; });
+    channel.mean_variance = std::max(of_mean, Spread(repeats, mean_of, channel.mean));
   }
   return mean;
 }

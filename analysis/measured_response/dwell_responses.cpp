@@ -47,6 +47,30 @@ std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked, const std::
   return list;
 }
 
+/// Of a dwell, for a response: ten, and four blocks of 16 samples, one of which is the run-in.
+int EnoughCycles(const Dwell& dwell) {
+  return std::max(10, 4 * static_cast<int>(std::ceil(16 * dwell.cycles_per_sample)));
+}
+
+/// Frequency, first and last second, what is enough in cycles and in seconds.
+std::vector<std::string> InWords(const Dwell& dwell, double rate_Hz) {
+  const int enough = EnoughCycles(dwell);
+  const double frequency_Hz = dwell.cycles_per_sample * rate_Hz;
+  return {Rounded(frequency_Hz, 3), Rounded(dwell.start / rate_Hz, 3), Rounded(dwell.end / rate_Hz, 3),
+          std::to_string(enough), Rounded(enough / frequency_Hz, 2)};
+}
+
+/// "the dwell at 20 Hz from 3.0 to 3.2 s is too short ..." of those that gave no response.
+std::vector<std::string> ShortDwells(const std::vector<Dwell>& dwells, double rate_Hz) {
+  std::vector<std::string> list;
+  for (const Dwell& dwell : dwells) {
+    const std::vector<std::string> words = InWords(dwell, rate_Hz);
+    list.push_back("the dwell at " + words[0] + " Hz from " + words[1] + " to " + words[2] +
+                   " s is too short for a response: left out; dwell for " + words[3] + " cycles, " + words[4] + " s");
+  }
+  return list;
+}
+
 /// Few cycles that the run-in still moves say nothing: a fit that pools variances over frequencies would believe them.
 bool SaysLittle(const DwellResponse& response) {
   constexpr int kFew = 9;
@@ -58,17 +82,24 @@ bool SaysLittle(const DwellResponse& response) {
   return Median(shares) > kMost;
 }
 
-/// Those that a response lies in the middle of.
-std::vector<Dwell> DwellsOf(const std::vector<DwellResponse>& responses, const std::vector<Dwell>& dwells) {
-  std::vector<Dwell> kept;
-  for (const Dwell& dwell : dwells)
-    if (std::any_of(responses.begin(), responses.end(), [&](const DwellResponse& response) {
-          const double middle = 0.5 * (dwell.start + dwell.end);
-          return static_cast<double>(response.first) - 1 / dwell.cycles_per_sample < middle &&
-                 middle < static_cast<double>(response.last);
-        }))
-      kept.push_back(dwell);
-  return kept;
+/// Whether a response lies in its middle.
+bool HasResponse(const Dwell& dwell, const std::vector<DwellResponse>& responses) {
+  return std::any_of(responses.begin(), responses.end(), [&](const DwellResponse& response) {
+    const double middle = 0.5 * (dwell.start + dwell.end);
+    return static_cast<double>(response.first) - 1 / dwell.cycles_per_sample < middle &&
+           middle < static_cast<double>(response.last);
+  });
+}
+
+/// "20, 25 Hz", of many the first.
+std::string FrequenciesInWords(const std::vector<double>& frequencies_Hz) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, frequencies_Hz.size()); ++i)
+    text += (i > 0 ? ", " : "") + Rounded(frequencies_Hz[i], 3);
+  text += " Hz";
+  if (frequencies_Hz.size() > kShown) text += " and " + std::to_string(frequencies_Hz.size() - kShown) + " others";
+  return text;
 }
 
 }  // namespace
@@ -78,21 +109,61 @@ void DwellResponses::Add(const LookedAt& looked) {
   std::vector<DwellResponse> responses = RespondInDwells(signals, looked.dwells, work_.reference);
   std::erase_if(responses, SaysLittle);
   if (responses.empty()) {
-    work_.Fault(kResponseNoDwell, looked.file, {looked.recording.posts[looked.largest_post]});
+    Refuse(looked);
     return;
   }
-  for (std::string& missed : MotionsWithoutDwell(looked, DwellsOf(responses, looked.dwells)))
-    work_.out.missed.push_back(std::move(missed));
-  const std::vector<double> rest = LevelsAtRest(signals, looked.dwells);
+  const double rate_Hz = looked.recording.rate_Hz;
+  std::vector<Dwell> short_ones;
+  for (const Dwell& dwell : looked.dwells) {
+    if (HasResponse(dwell, responses)) answered_Hz_.push_back(dwell.cycles_per_sample * rate_Hz);
+    else short_ones.push_back(dwell);
+  }
+  for (const std::vector<std::string>& list :
+       {MotionsWithoutDwell(looked, looked.dwells), ShortDwells(short_ones, rate_Hz)})
+    work_.out.missed.insert(work_.out.missed.end(), list.begin(), list.end());
+  const std::vector<RestLevel> rest = LevelsAtRest(signals, looked.dwells);
   has_rest_ = has_rest_ && !rest.empty();
   for (DwellResponse& response : responses) {
-    for (std::size_t c = 0; c < rest.size(); ++c) response.channels[c].mean -= rest[c];
+    for (std::size_t c = 0; c < rest.size(); ++c) {
+      response.channels[c].mean -= rest[c].mean;
+      response.channels[c].mean_variance += rest[c].variance;
+    }
     UndoFilter(response);
     ++work_.out.dwells;
     cycles_.push_back(response.cycles);
     if (!response.is_settled && work_.out.unsettled++ == 0) unsettled_Hz_ = response.frequency_Hz;
     dwells_.push_back(std::move(response));
   }
+}
+
+void DwellResponses::Refuse(const LookedAt& looked) const {
+  const std::string& post = looked.recording.posts[looked.largest_post];
+  const std::size_t stated = work_.request.frequencies_Hz.size();
+  if (!looked.dwells.empty()) {
+    std::vector<std::string> words = InWords(looked.dwells.front(), looked.recording.rate_Hz);
+    words.insert(words.begin(), {std::to_string(looked.dwells.size()), post});
+    work_.Fault(kResponseDwellsShort, looked.file, words);
+  } else if (stated > 0) {
+    work_.Fault(kResponseStatedNone, looked.file, {post, std::to_string(stated)});
+  } else {
+    work_.Fault(kResponseNoDwell, looked.file, {post});
+  }
+}
+
+void DwellResponses::CheckStated(const std::filesystem::path& file) {
+  const std::vector<double>& stated = work_.request.frequencies_Hz;
+  std::vector<double> without;
+  for (const double frequency : stated) {
+    // Dwells have the stated frequencies, in rounding.
+    const auto is_it = [&](double answered) { return std::abs(answered - frequency) < 1e-9 * frequency; };
+    if (std::none_of(answered_Hz_.begin(), answered_Hz_.end(), is_it)) without.push_back(frequency);
+  }
+  if (without.empty()) return;
+  const Dwell slowest = {.cycles_per_sample = without.front() / work_.out.rate_Hz};
+  const std::vector<std::string> words = InWords(slowest, work_.out.rate_Hz);
+  work_.Fault(kResponseStatedMissing, file,
+              {std::to_string(without.size()), std::to_string(stated.size()), FrequenciesInWords(without), words[3],
+               words[4], words[0]});
 }
 
 void DwellResponses::UndoFilter(DwellResponse& response) const {
@@ -110,6 +181,7 @@ void DwellResponses::Finish() {
   if (work_.out.unsettled > 0)
     work_.Fault(kResponseNotSettled, file,
                 {std::to_string(work_.out.unsettled), std::to_string(work_.out.dwells), Rounded(unsettled_Hz_, 3)});
+  CheckStated(file);
   for (const DwellGroup& group : GroupsOf(dwells_)) work_.out.responses.push_back(ResponseOf(group));
   CheckFilter(file);
 }
@@ -136,7 +208,10 @@ MeasuredResponse DwellResponses::ResponseOf(const DwellGroup& group) {
 void DwellResponses::AddDwell(const DwellResponse& dwell, std::size_t c, ChannelResponse& channel) const {
   const DwellChannel& measured = dwell.channels[c];
   AddResponse(measured.response, measured.variance, dwell.frequency_Hz, channel);
-  if (has_rest_) channel.mean.push_back(measured.mean);
+  if (has_rest_) {
+    channel.mean.push_back(measured.mean);
+    channel.mean_sd.push_back(std::sqrt(measured.mean_variance));
+  }
   channel.second_harmonic.push_back(measured.harmonics.size() > 1 ? measured.harmonics[1] : 0);
 }
 

@@ -17,6 +17,10 @@ class DwellResponses {
   void Finish();
 
  private:
+  /// A recording without a response.
+  void Refuse(const LookedAt& looked) const;
+  /// Warns of stated frequencies without a response.
+  void CheckStated(const std::filesystem::path& file);
   /// Of ratios nothing is left of a filter that all channels have passed; of amplitudes there is.
   void UndoFilter(DwellResponse& response) const;
   MeasuredResponse ResponseOf(const DwellGroup& group);
@@ -29,6 +33,8 @@ class DwellResponses {
   ResponseWork& work_;
   std::vector<DwellResponse> dwells_;
   std::vector<double> cycles_;
+  /// Of the dwells that gave responses.
+  std::vector<double> answered_Hz_;
   bool has_rest_ = true;
   double unsettled_Hz_ = 0;
 };

@@ -32,6 +32,16 @@ inline const Finding kResponseNoDwell{"response-no-dwell", Severity::kError,
                                       "no dwell of a stepped sine: the post {} keeps no frequency for four cycles",
                                       "state the frequencies of the dwells, as by --kind stepped --frequencies "
                                       "0.5Hz:30Hz:0.1Hz; or --kind sweep or --kind random; or dwell longer"};
+inline const Finding kResponseDwellsShort{
+    "response-dwells-short", Severity::kError,
+    "all {} dwells of post {} are too short for a response, as that at {} Hz from {} to {} s",
+    "dwell for {} cycles, {} s there; or state --kind sweep or --kind random"};
+inline const Finding kResponseStatedNone{"response-stated-none", Severity::kError,
+                                         "the post {} keeps none of the {} stated frequencies for a cycle and a half",
+                                         "check them; or state none, and dwells of four cycles are found"};
+inline const Finding kResponseStatedMissing{"response-stated-missing", Severity::kWarning,
+                                            "{} of {} stated frequencies have no dwell long enough: {}",
+                                            "dwell for {} cycles, {} s at {} Hz; or do not state them"};
 inline const Finding kResponseTooShort{"response-too-short", Severity::kError,
                                        "{} s are too short for a response at {} Hz",
                                        "record longer, or ask for higher --frequencies"};

@@ -183,6 +183,7 @@ Json ChannelsJson(const MeasuredResponse& response) {
                     {"gain_sd", Numbers(channel.gain_sd)},
                     {"phase_sd_deg", Numbers(phase_sd_deg)},
                     {"mean", Numbers(channel.mean)},
+                    {"mean_sd", Numbers(channel.mean_sd)},
                     {"second_harmonic", Numbers(channel.second_harmonic)},
                     {"coherence", Numbers(quality.coherence_at)},
                     {"gain_h2", Numbers(gain_h2)},
@@ -198,7 +199,7 @@ Json ChannelsJson(const MeasuredResponse& response) {
 
 std::string RecordingCsv(const FrequencyResponse& response) {
   CsvWriter csv({"frequency_Hz", "post_amplitude_m", "channel", "unit", "gain", "phase_deg", "gain_sd", "phase_sd_deg",
-                 "mean", "second_harmonic"});
+                 "mean", "mean_sd", "second_harmonic"});
   const auto at = [](const std::vector<double>& values, std::size_t i) {
     return values.empty() ? std::numeric_limits<double>::quiet_NaN() : Written(values[i]);
   };
@@ -209,7 +210,7 @@ std::string RecordingCsv(const FrequencyResponse& response) {
       csv.Add(Written(std::abs(channel.response[i])));
       csv.Add(Written(DegreesFromRadians(std::arg(channel.response[i]))));
       csv.Add(Written(channel.gain_sd[i])).Add(Written(DegreesFromRadians(channel.phase_sd_rad[i])));
-      csv.Add(at(channel.mean, i)).Add(at(channel.second_harmonic, i));
+      csv.Add(at(channel.mean, i)).Add(at(channel.mean_sd, i)).Add(at(channel.second_harmonic, i));
     }
   return csv.text();
 }

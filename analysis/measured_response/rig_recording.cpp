@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "analysis/files/recording_summary.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/measured_response/findings.h"
+#include "analysis/text/name_meaning.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/text_table.h"
 
@@ -33,6 +35,29 @@ std::optional<std::string> PostNamed(const std::string& name) {
 bool IsCorner(const std::string& name) {
   constexpr std::array<std::string_view, 8> kCorners = {"fl", "fr", "rl", "rr", "front", "rear", "left", "right"};
   return std::find(kCorners.begin(), kCorners.end(), Lower(name)) != kCorners.end();
+}
+
+/// "FL", "front", "left"; empty without a place.
+std::string PlaceOf(const NameMeaning& meaning) {
+  const std::string front = meaning.front > 0 ? "front" : meaning.front < 0 ? "rear" : "";
+  const std::string left = meaning.left > 0 ? "left" : meaning.left < 0 ? "right" : "";
+  if (front.empty() || left.empty()) return front + left;
+  return std::string(meaning.front > 0 ? "F" : "R") + (meaning.left > 0 ? "L" : "R");
+}
+
+/// "Zyl_VL" and "actuator rear", called by their places where these tell them apart.
+std::vector<PostChannel> PostsByMeaning(const std::vector<std::string>& names) {
+  std::vector<PostChannel> posts;
+  std::set<std::string> places;
+  const std::vector<NameMeaning> meanings = MeaningsOf(names, true);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!meanings[i].words.contains("post")) continue;
+    posts.push_back({names[i], PlaceOf(meanings[i])});
+    places.insert(posts.back().post);
+  }
+  if (places.size() < posts.size() || places.contains(""))
+    for (PostChannel& post : posts) post.post = post.channel;
+  return posts;
 }
 
 std::optional<Unit> UnitOf(const RecordedTable& table, std::size_t column) {
@@ -247,11 +272,13 @@ double RigRecording::duration_s() const { return static_cast<double>(heights.fro
 std::vector<PostChannel> PostsByName(const RecordedTable& table) {
   std::vector<PostChannel> posts;
   std::vector<PostChannel> corners;
-  for (const std::string& name : Lengths(table)) {
+  const std::vector<std::string> names = Lengths(table);
+  for (const std::string& name : names) {
     if (const std::optional<std::string> post = PostNamed(name)) posts.push_back({name, *post});
     else if (IsCorner(name)) corners.push_back({name, name});
   }
-  return posts.empty() ? corners : posts;
+  if (!posts.empty()) return posts;
+  return corners.empty() ? PostsByMeaning(names) : corners;
 }
 
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,

@@ -54,7 +54,8 @@ struct RigRecording {
 };
 
 /// Posts by the names of channels of a length, where none are stated: those that begin with "post", or else those that
-/// are named FL, FR, RL, RR, front, rear, left or right and nothing more; called by what follows "post".
+/// are named FL, FR, RL, RR, front, rear, left or right and nothing more; called by what follows "post". Without any,
+/// those whose names mean a post, such as "Zyl VL" or "actuator rear" (MeaningsOf()), called by their places.
 std::vector<PostChannel> PostsByName(const RecordedTable& table);
 
 /// Reads a time history; posts by PostsByName() where `posts` is empty. Adds every fault; nothing when there was one.

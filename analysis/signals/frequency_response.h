@@ -18,6 +18,8 @@ struct ChannelResponse {
   std::vector<double> phase_sd_rad;
   /// Mean offset from rest, in the channel's unit; empty where not measured.
   std::vector<double> mean;
+  /// Its standard deviation; empty where not known, and for a model.
+  std::vector<double> mean_sd;
   /// Amplitude of the second harmonic, in the channel's unit; empty where not measured.
   std::vector<double> second_harmonic;
 };

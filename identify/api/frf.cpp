@@ -51,6 +51,7 @@ MeasuredChannel MeasuredChannelOf(const fourpost::ChannelResponse& channel, cons
           .gain_sd = VectorOf(channel.gain_sd),
           .phase_sd_rad = VectorOf(channel.phase_sd_rad),
           .mean = VectorOf(channel.mean),
+          .mean_sd = VectorOf(channel.mean_sd),
           .second_harmonic = VectorOf(channel.second_harmonic),
           .coherence = VectorOf(quality.coherence_at)};
 }

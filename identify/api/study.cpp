@@ -47,6 +47,8 @@ void RequireFiniteIn(const SteppedSineTest& test) {
     const std::string what = "channel '" + sensor + "'" + of;
     RequireFinite(what, {reinterpret_cast<const double*>(measured.frf.data()),
                          2 * static_cast<std::size_t>(measured.frf.size())});
+    RequireFinite("the standard deviation of the mean of " + what,
+                  {measured.mean_sd.data(), static_cast<std::size_t>(measured.mean_sd.size())});
     RequireFinite("the mean of " + what, {measured.mean.data(), static_cast<std::size_t>(measured.mean.size())});
     const Eigen::VectorXd& sd = measured.relative_sd_at;
     RequireFinite("the standard deviation of " + what, {sd.data(), static_cast<std::size_t>(sd.size())});
@@ -67,11 +69,17 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
   const std::size_t count = test.frequency_Hz.size();
   if (test.amplitude_m.size() != 1)
     RequireCount("amplitude_m of '" + test.name + "'", static_cast<Eigen::Index>(test.amplitude_m.size()), count);
-  std::string text = "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean,unit\n";
+  const bool has_mean_sd = std::any_of(test.channels.begin(), test.channels.end(),
+                                       [](const auto& channel) { return channel.second.mean_sd.size() > 0; });
+  std::string text = std::string("frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean,") +
+                     (has_mean_sd ? "mean_sd," : "") + "unit\n";
   for (const auto& [sensor, measured] : test.channels) {
     RequireCount("channel '" + sensor + "' of '" + test.name + "'", measured.frf.size(), count);
     if (measured.mean.size() > 0)
       RequireCount("the mean of channel '" + sensor + "' of '" + test.name + "'", measured.mean.size(), count);
+    if (measured.mean_sd.size() > 0)
+      RequireCount("the standard deviation of the mean of channel '" + sensor + "' of '" + test.name + "'",
+                   measured.mean_sd.size(), count);
     if (measured.relative_sd_at.size() > 0)
       RequireCount("the standard deviation of channel '" + sensor + "' of '" + test.name + "'",
                    measured.relative_sd_at.size(), count);
@@ -86,7 +94,9 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
       text += sensor;
       for (const double number : {std::abs(value), degrees * std::arg(value), sd * std::abs(value), degrees * sd})
         text += ',' + FormatNumber(number);
-      text += ',' + (measured.mean.size() > 0 ? FormatNumber(measured.mean[at]) : "") + ',' + unit + '\n';
+      text += ',' + (measured.mean.size() > 0 ? FormatNumber(measured.mean[at]) : "");
+      if (has_mean_sd) text += ',' + (measured.mean_sd.size() > 0 ? FormatNumber(measured.mean_sd[at]) : "");
+      text += ',' + unit + '\n';
     }
   }
   return text;
@@ -144,8 +154,8 @@ class Writer {
       SteppedSineTest test = tests[i];
       if (test.name.empty()) test.name = file;
       folder_.Add(file, SineCsv(vehicle_, test));
-      text_ +=
-          "  - name: " + Quoted(test.name) + "\n    file: " + file + "\n    posts: " + Posts(tests[i].posts) + '\n';
+      text_ += "  - name: " + Quoted(test.name) + "\n    file: " + file + "\n    posts: " + Posts(tests[i].posts) +
+               '\n' + Use(tests[i].is_validation);
       for (const auto& [sensor, measured] : tests[i].channels)
         if (std::find(channels.begin(), channels.end(), sensor) == channels.end()) channels.push_back(sensor);
     }

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "identify/draft/name_meaning.h"
+#include "analysis/text/name_meaning.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 

@@ -9,8 +9,8 @@
 #include "analysis/files/recording_summary.h"
 #include "analysis/files/static_loads.h"
 #include "analysis/measured_response/measured_response.h"
+#include "analysis/text/name_meaning.h"
 #include "analysis/text/named.h"
-#include "identify/draft/name_meaning.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {

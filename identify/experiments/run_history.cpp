@@ -35,22 +35,6 @@ std::vector<double> Of(const TableColumn& column, const std::set<std::size_t>& r
   return values;
 }
 
-OrderedJson RecordingJson(const TimeTable& history, std::size_t most) {
-  std::vector<const TableColumn*> columns;
-  for (const TableColumn& column : history.columns) columns.push_back(&column);
-  const std::set<std::size_t> rows = RowsToShow(columns, history.rows, most);
-  OrderedJson list = OrderedJson::array();
-  for (const TableColumn& column : history.columns) {
-    OrderedJson json = {{"name", column.name}, {"unit", column.unit}};
-    json.update(PackedValues(Of(column, rows)));
-    list.push_back(std::move(json));
-  }
-  return {{"recording", history.recording},
-          {"columns", std::move(list)},
-          {"rows", history.rows},
-          {"shown_rows", rows.size()}};
-}
-
 }  // namespace
 
 const TableColumn* TimeTable::Find(const std::string& name) const {
@@ -99,6 +83,22 @@ OrderedJson ShownValues(const TableColumn& column, const std::set<std::size_t>& 
   OrderedJson values = OrderedJson::array();
   for (const std::size_t row : rows) values.push_back(PictureNumber(column.values[row]));
   return values;
+}
+
+OrderedJson RecordingJson(const TimeTable& history, std::size_t most) {
+  std::vector<const TableColumn*> columns;
+  for (const TableColumn& column : history.columns) columns.push_back(&column);
+  const std::set<std::size_t> rows = RowsToShow(columns, history.rows, most);
+  OrderedJson list = OrderedJson::array();
+  for (const TableColumn& column : history.columns) {
+    OrderedJson json = {{"name", column.name}, {"unit", column.unit}};
+    json.update(PackedValues(Of(column, rows)));
+    list.push_back(std::move(json));
+  }
+  return {{"recording", history.recording},
+          {"columns", std::move(list)},
+          {"rows", history.rows},
+          {"shown_rows", rows.size()}};
 }
 
 OrderedJson HistoriesJson(const std::string& text, const std::string& file, CsvHeader header, std::size_t most) {

@@ -42,8 +42,10 @@ nlohmann::ordered_json ShownValues(const TableColumn& column, const std::set<std
 /// All of what rigs record in minutes: some twenty channels of it take 10 MB of a page.
 inline constexpr std::size_t kMostHistoryRows = 300000;
 
-/// The recordings as [{"recording", "columns": [{"name", "unit", of PackedValues()}], "rows", "shown_rows"}], up to
-/// `most` rows of each. Throws FaultyInput.
+/// {"recording", "columns": [{"name", "unit", of PackedValues()}], "rows", "shown_rows"}, up to `most` rows.
+nlohmann::ordered_json RecordingJson(const TimeTable& history, std::size_t most = kMostHistoryRows);
+
+/// The recordings of a file as a list of these. Throws FaultyInput.
 nlohmann::ordered_json HistoriesJson(const std::string& text, const std::string& file,
                                      CsvHeader header = CsvHeader::kNamesAndUnits, std::size_t most = kMostHistoryRows);
 

@@ -72,6 +72,8 @@ struct Certainty {
   void AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved, const ModelErrorEstimate& left);
   /// Whether intervals allow for more than noise and what is held.
   bool IsBeyondNoise() const { return model_error.is_significant || !missing.empty(); }
+  /// In how many cases intervals hold the truth: "95 %", "80 to 90 %".
+  std::string Confidence() const { return IsBeyondNoise() ? "80 to 90 %" : "95 %"; }
   /// By all that is missing, n; zero where nothing is known.
   Eigen::VectorXd MovedByMissing() const;
   /// `total_sd` about the value, or about where the parameter would be with what is missing.

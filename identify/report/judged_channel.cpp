@@ -29,11 +29,11 @@ Follows Judge(double score_close, double score_far) {
 
 std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
   JudgedChannel judged{.name = TextAt(channel, "name")};
+  judged.recording = TextAt(channel, "recording");
   const double dB = NumberAt(channel, "rms_dB");
   const double deg = NumberAt(channel, "rms_deg");
   const double nmse = NumberAt(channel, "nmse_percent");
   if (std::isfinite(nmse) && !std::isfinite(dB)) {
-    judged.recording = TextAt(channel, "recording");
     judged.numbers = ShownNumber(nmse, 2) + " % NMSE";
     judged.is_history = true;
     judged.score = nmse / kClose_percent;

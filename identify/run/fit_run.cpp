@@ -339,7 +339,8 @@ class Fitter {
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;
-    files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));
+    files.emplace_back("parameters.csv",
+                       ParametersCsv(loaded.vehicle, fit.parameters, fit.certainty ? fit.certainty->Confidence() : ""));
     // Predictions of other recordings take from it how they are made.
     files.emplace_back("study.yaml", loaded.study.text);
     if (!fit.profiles.empty()) files.emplace_back("profile.svg", ProfileSvg(fit));

@@ -42,11 +42,9 @@ std::string Remark(const FittedParameter& parameter) {
   return remark;
 }
 
-bool IsBeyondNoise(const FitResult& fit) { return fit.certainty && fit.certainty->IsBeyondNoise(); }
-
 std::string ParameterTable(const FitResult& fit) {
-  TextTable table({"parameter", "start", "fitted", "sd", IsBeyondNoise(fit) ? "80 to 90 %" : "95 %", "lower", "upper",
-                   "unit", "limited by", ""});
+  TextTable table({"parameter", "start", "fitted", "sd", fit.certainty ? fit.certainty->Confidence() : "95 %", "lower",
+                   "upper", "unit", "limited by", ""});
   for (const FittedParameter& p : fit.parameters)
     table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), IntervalText(p),
                Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, p.limited_by, Remark(p)});
@@ -85,8 +83,11 @@ std::string IntervalBasis(const FitResult& fit) {
   std::vector<double> shares;
   for (const Eigen::Index j : fit.certainty->judged)
     shares.push_back(fit.certainty->HalfWidth(j) / (fit.certainty->covariance.reach_95 * fit.certainty->noise_sd[j]));
-  return "Parts of the data ask for different parameters. The intervals allow for that. First check what was measured\n"
-         "(gain, sign, delay, place and noise of each channel and post); if it is right, the model lacks something.\n" +
+  const bool is_within_stated = fit.Misfit() <= 1;
+  return std::string("Parts of the data ask for different parameters") +
+         (is_within_stated ? ", by no more than the stated model error\nallows. The intervals allow for that.\n"
+                           : ". The intervals allow for that. First check what was measured\n(gain, sign, delay, place "
+                             "and noise of each channel and post); if it is right, the model lacks something.\n") +
          ways + ".\n  By noise alone the intervals would be " + Rounded(Median(shares), 2) +
          " times narrower.\n"
          "  Limited by noise: measure longer or more often; by the model: add what those data ask for;\n"
@@ -213,7 +214,7 @@ std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missin
       "Residuals are " + Rounded(fit.Misfit(), 2) + " times what noise" +
       (fit.IsMostlyInputNoise() ? ", most of it of the recorded posts," : "") + " and the stated model error explain" +
       (fit.certainty && !fit.certainty->calibrations.empty() ? ", calibrated" : "") + "; about 1 is expected.\n" +
-      (fit.Misfit() < kSmallMisfit
+      (fit.Misfit() < kSmallMisfit && !(fit.certainty && fit.certainty->IsBeyondNoise())
            ? "Standard deviations follow from what the study states: state smaller ones, such as "
              "'model_error'.\n"
            : "") +

@@ -47,10 +47,11 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
   return vehicle;
 }
 
-std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters) {
+std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters,
+                          const std::string& confidence) {
   const auto finite = [](double number) { return std::isfinite(number) ? number : std::nan(""); };
   CsvWriter csv({"parameter", "unit", "start", "fitted", "difference_percent", "sd", "lower_95", "upper_95", "at_bound",
-                 "source_of_start"});
+                 "source_of_start", "confidence_of_interval"});
   for (const FittedParameter& p : parameters) {
     const auto told = std::find_if(vehicle.parameters.begin(), vehicle.parameters.end(),
                                    [&](const Parameter& parameter) { return parameter.name == p.name; });
@@ -58,6 +59,7 @@ std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParame
     csv.Add(p.start != 0 ? 100 * (p.value - p.start) / p.start : std::nan(""));
     csv.Add(finite(p.sd)).Add(finite(p.lower_95)).Add(finite(p.upper_95));
     csv.Add(p.at_bound ? "yes" : "no").Add(told == vehicle.parameters.end() ? "" : told->source);
+    csv.Add(std::isfinite(p.lower_95) ? confidence : "");
   }
   return csv.text();
 }

@@ -14,7 +14,8 @@ namespace fourpost {
 Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit);
 
 /// Values of the file, as those of parts on their benches, and fitted ones side by side; SI. Comma-separated, one row
-/// per parameter.
-std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters);
+/// per parameter. `confidence`: of the intervals, "95 %".
+std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters,
+                          const std::string& confidence);
 
 }  // namespace fourpost

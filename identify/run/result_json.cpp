@@ -171,7 +171,7 @@ Json Intervals(const FitResult& fit) {
   Json noise_moved = Json::object();
   for (Eigen::Index j = 0; j < fit.moved_by_input_noise.size(); ++j)
     noise_moved[fit.parameters[static_cast<std::size_t>(j)].name] = fit.moved_by_input_noise[j];
-  return {{"confidence", certainty.IsBeyondNoise() ? "80 to 90 %" : "95 %"},
+  return {{"confidence", certainty.Confidence()},
           {"model_error", certainty.model_error.is_significant},
           {"ways", Ways(fit)},
           {"contradictions", Contradictions(fit)},

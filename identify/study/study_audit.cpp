@@ -207,6 +207,9 @@ AuditSubject WithLessNoise(AuditSubject subject, double share) {
   return subject;
 }
 
+/// The clock's scale is that of the frequencies.
+std::string ShownName(const std::string& name) { return name == "frequency" ? "(all frequencies)" : name; }
+
 }  // namespace
 
 std::optional<Audit> AuditStudy(const LoadedStudy& study) {
@@ -264,7 +267,7 @@ std::string AuditText(const Audit& audit) {
         expected = std::max(expected, channel.expected);
         ++count;
       }
-    table.Add({name, count > 0 ? ShortNumber(kPercent * rest, 2) : "",
+    table.Add({ShownName(name), count > 0 ? ShortNumber(kPercent * rest, 2) : "",
                count > 0 ? ShortNumber(kPercent * expected, 2) : "", seen[name].scale, seen[name].delay,
                seen[name].place});
   }

@@ -23,6 +23,8 @@ struct MeasuredFrf {
   Eigen::VectorXd mean = {};
   /// In place of `relative_sd`, one per frequency; empty: that counts for all.
   Eigen::VectorXd relative_sd_at = {};
+  /// Standard deviation of `mean`, in its unit; empty where it is not known: the study's model error counts alone.
+  Eigen::VectorXd mean_sd = {};
 };
 
 /// A stepped sine on posts.
@@ -36,6 +38,8 @@ struct SteppedSineTest {
   /// Responses by the name of their sensor. A sensor of one test is fitted in all tests of a study, so measure the same
   /// ones in each.
   std::map<std::string, MeasuredFrf> channels;
+  /// For validation: left out of the fit and predicted after it.
+  bool is_validation = false;
 };
 
 struct LowPass {

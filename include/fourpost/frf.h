@@ -42,6 +42,8 @@ struct MeasuredChannel {
   Eigen::VectorXd phase_sd_rad;
   /// As in ChannelResponse.
   Eigen::VectorXd mean;
+  /// Standard deviation of the mean, in the channel's unit.
+  Eigen::VectorXd mean_sd;
   Eigen::VectorXd second_harmonic;
   /// Of sweeps and random motions.
   Eigen::VectorXd coherence;

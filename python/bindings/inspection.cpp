@@ -14,7 +14,7 @@ py::tuple Describe(const std::filesystem::path& file) {
 
 py::tuple TupleOf(const api::MeasuredChannel& channel) {
   return py::make_tuple(channel.name, channel.unit, channel.frf, channel.gain_sd, channel.phase_sd_rad, channel.mean,
-                        channel.second_harmonic, channel.coherence);
+                        channel.mean_sd, channel.second_harmonic, channel.coherence);
 }
 
 py::tuple TupleOf(const api::MeasuredPattern& pattern) {

@@ -9,16 +9,23 @@ namespace fourpost::python {
 namespace {
 
 using Columns = std::map<std::string, Eigen::VectorXd>;
-/// Response, relative standard deviation at each frequency, mean.
-using Measured = std::tuple<Eigen::VectorXcd, Eigen::VectorXd, Eigen::VectorXd>;
+/// Response, relative standard deviation at each frequency, mean and its standard deviation.
+using Measured = std::tuple<Eigen::VectorXcd, Eigen::VectorXd, Eigen::VectorXd, Eigen::VectorXd>;
 
 void AddSine(api::Study& study, const std::string& name, const std::string& posts,
              const std::vector<double>& frequency_Hz, const std::vector<double>& amplitude_m,
-             const std::map<std::string, Measured>& channels) {
-  api::SteppedSineTest test{.name = name, .posts = posts, .frequency_Hz = frequency_Hz, .amplitude_m = amplitude_m};
+             const std::map<std::string, Measured>& channels, bool is_validation) {
+  api::SteppedSineTest test{.name = name,
+                            .posts = posts,
+                            .frequency_Hz = frequency_Hz,
+                            .amplitude_m = amplitude_m,
+                            .channels = {},
+                            .is_validation = is_validation};
   for (const auto& [sensor, measured] : channels)
-    test.channels[sensor] = {
-        .frf = std::get<0>(measured), .mean = std::get<2>(measured), .relative_sd_at = std::get<1>(measured)};
+    test.channels[sensor] = {.frf = std::get<0>(measured),
+                             .mean = std::get<2>(measured),
+                             .relative_sd_at = std::get<1>(measured),
+                             .mean_sd = std::get<3>(measured)};
   study.Add(std::move(test));
 }
 

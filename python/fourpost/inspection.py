@@ -134,6 +134,8 @@ class MeasuredPattern:
     """C x F: of the phase [rad]."""
     mean: Floats
     """C x F: mean reading less that at rest, in `units`; NaN where it is not known."""
+    mean_sd: Floats
+    """C x F: standard deviation of the mean, in `units`; NaN where it is not known."""
     second_harmonic: Floats
     """C x F: amplitude, in `units`; NaN where it is not known."""
     coherence: Floats
@@ -155,8 +157,8 @@ class MeasuredPattern:
         return self.channels.index(channel)
 
     def to_frame(self) -> pd.DataFrame:
-        """A row per channel and frequency, SI: gain, phase_deg, gain_sd, phase_sd_deg, mean, second_harmonic,
-        coherence."""
+        """A row per channel and frequency, SI: gain, phase_deg, gain_sd, phase_sd_deg, mean, mean_sd,
+        second_harmonic, coherence."""
         count = len(self.frequency)
         return pd.DataFrame({"channel": np.repeat(self.channels, count),
                              "unit": np.repeat(list(self.units.values()), count),
@@ -164,8 +166,8 @@ class MeasuredPattern:
                              "post_amplitude_m": np.tile(self.amplitude, len(self.units)),
                              "gain": np.abs(self.frf).ravel(), "phase_deg": np.degrees(np.angle(self.frf)).ravel(),
                              "gain_sd": self.gain_sd.ravel(), "phase_sd_deg": np.degrees(self.phase_sd).ravel(),
-                             "mean": self.mean.ravel(), "second_harmonic": self.second_harmonic.ravel(),
-                             "coherence": self.coherence.ravel()})
+                             "mean": self.mean.ravel(), "mean_sd": self.mean_sd.ravel(),
+                             "second_harmonic": self.second_harmonic.ravel(), "coherence": self.coherence.ravel()})
 
     def sine(self, channels: Sequence[str] | Mapping[str, str] | None = None) -> SteppedSine:
         """As an experiment of a Study.
@@ -182,7 +184,8 @@ class MeasuredPattern:
             share = self.gain_sd[at] / np.abs(self.frf[at])
             sd = np.sqrt((share ** 2 + self.phase_sd[at] ** 2) / 2)
             mean: npt.ArrayLike = self.mean[at] if np.isfinite(self.mean[at]).all() else ()
-            measured[sensor] = Measured(self.frf[at], sd, mean)
+            mean_sd: npt.ArrayLike = self.mean_sd[at] if np.isfinite(self.mean_sd[at]).all() else ()
+            measured[sensor] = Measured(self.frf[at], sd, mean, mean_sd)
         return SteppedSine(self.frequency, self.amplitude, measured, posts=self.posts, name=self.name)
 
 
@@ -279,4 +282,4 @@ def _pattern(name: str, posts: str, reference: str, off_pattern: float, frequenc
         return np.array([channel[place] if len(channel[place]) else missing for channel in channels])
     units = {channel[0]: channel[1] for channel in channels}
     return MeasuredPattern(name, posts, reference, off_pattern, np.array(frequency), np.array(amplitude), repeats, units,
-                           *(stacked(place) for place in range(2, 8)))
+                           *(stacked(place) for place in range(2, 9)))

@@ -26,6 +26,8 @@ class Measured:
     mean: npt.ArrayLike = ()
     """F, SI, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
     from rebound."""
+    mean_sd: npt.ArrayLike = ()
+    """F: standard deviation of the mean, in its unit; empty where it is not known."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,8 @@ class SteppedSine:
     sensor of one test is fitted in all tests of a study."""
     posts: str = "heave"
     """As `mode` of Vehicle.response."""
+    validation: bool = False
+    """Left out of the fit and predicted after it."""
     name: str = ""
     """Of the recording in results; default: its file in the run's folder `inputs`."""
 
@@ -132,7 +136,7 @@ class Study:
         if isinstance(test, SteppedSine):
             channels = {name: _measured(name, one) for name, one in test.channels.items()}
             self._core.add_sine(test.name, test.posts, _arrays.vector("frequency", test.frequency),
-                                _arrays.vector("amplitude", test.amplitude), channels)
+                                _arrays.vector("amplitude", test.amplitude), channels, test.validation)
         elif isinstance(test, TimeHistory):
             posts, rate = _arrays.series("posts", test.posts, test.rate)
             channels_, _ = _arrays.series("channels", test.channels, rate)
@@ -151,7 +155,7 @@ class Study:
         return Objective(self)
 
 
-def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.complex128], Floats, Floats]:
+def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.complex128], Floats, Floats, Floats]:
     measured = one if isinstance(one, Measured) else Measured(one)
     frf = np.atleast_1d(_arrays.numbers_of(f"channel '{name}'", measured.frf, complex))
     if frf.ndim != 1:
@@ -159,7 +163,8 @@ def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.
     sd = _arrays.vector(f"relative_sd of '{name}'", measured.relative_sd)
     if sd.size == 1:
         sd = np.full(frf.shape, sd[0])
-    return frf, sd, _arrays.vector(f"the mean of '{name}'", measured.mean)
+    return (frf, sd, _arrays.vector(f"the mean of '{name}'", measured.mean),
+            _arrays.vector(f"mean_sd of '{name}'", measured.mean_sd))
 
 
 class Objective:

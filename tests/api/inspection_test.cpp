@@ -63,7 +63,7 @@ TEST(Inspection, ResponsesOfASweepAreThoseOfItsPosts) {
 }
 
 TEST(Inspection, WrongRequestsAreRefused) {
-  EXPECT_THAT([] { MeasureFrf({kSweep}); }, IsRefused("response-posts-unknown"));
+  EXPECT_THAT([] { MeasureFrf({kSweep}, {.posts = {{"FL", "nowhere"}}}); }, IsRefused("response-post-missing"));
   EXPECT_THAT([] { MeasureFrf({}); }, IsRefused("argument-refused"));
   FrfOptions options = PostsOfSweep();
   options.kind = "steped";

@@ -1,4 +1,5 @@
 """`fourpost fit` of the Land Rover's recordings: what it prints and writes, and the vehicle that comes of it."""
+import csv
 import json
 import math
 import shutil
@@ -23,6 +24,34 @@ class FitTest(ProgramTest):
     def result(self):
         return json.loads(self.read("result/result.json"))
 
+
+class Validation(FitTest):
+    def test_predicts_stepped_sines_that_are_kept_from_the_fit(self):
+        study = self.folder / MODEL1
+        study.write_text(study.read_text().replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n"))
+        kept = self.run_program("fit", "--no-suggest", MODEL1, "-o", "result", "--seed", "3")
+        result = self.result()
+        self.assertEqual([one["name"] for one in result["recordings"]], ["bounce"])
+        unseen = {one["name"]: one for one in result["validation"] if one["recording"] == "pitch"}
+        self.assertEqual(set(unseen), {one["name"] for one in result["channels"]})
+        self.assertIn("Not fitted:", kept.stdout)
+        with (self.folder / "result/response.csv").open() as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual({row["in_band"] for row in rows if row["recording"] == "pitch"}, {"0"})
+        self.assertIn("1", {row["in_band"] for row in rows if row["recording"] == "bounce"})
+        # As `predict` has it of the same fit.
+        other = study.parent / "pitch_frf.csv"
+        predicted = json.loads(self.run_program("predict", "result", "--recording", other, "--mode", "pitch", "--json").stdout)
+        for channel in predicted["channels"]:
+            self.assertAlmostEqual(channel["nmse_percent"] / unseen[channel["name"]]["nmse_percent"], 1, places=2)
+        self.assertNotIn("validation", json.dumps(result["recordings"]))
+
+    def test_leaves_out_what_it_cannot_predict(self):
+        study = self.folder / MODEL1
+        study.write_text(study.read_text().replace("    file: pitch_frf.csv\n", "    file: none.csv\n    use: validation\n"))
+        answer = self.run_program("fit", "--no-suggest", MODEL1, "-o", "result")
+        self.assertIn("[validation-left-out]", answer.stderr)
+        self.assertEqual([one["recording"] for one in self.result()["validation_left_out"]], ["pitch"])
 
 class Fit(FitTest):
     """One fit serves the tests of what it writes."""

@@ -121,7 +121,6 @@ def test_recordings_become_experiments_of_a_study(car):
 @pytest.mark.parametrize("call, id", [
     (lambda: fp.info(STARTER / "vehicle.urdf"), "vehicle-for-recording"),
     (lambda: fp.info(STARTER / "none.csv"), "file-not-there"),
-    (lambda: fp.frf(SWEEP), "response-posts-unknown"),
     (lambda: fp.frf([]), "argument-refused"),
     (lambda: fp.frf(SWEEP, posts=POSTS, kind="steped"), "name-unknown"),
     (lambda: fp.frf(SWEEP, posts=POSTS, frequency=[3, 2]), "argument-refused"),

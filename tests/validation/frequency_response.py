@@ -14,6 +14,8 @@ A row per vehicle, motion, noise and channel:
   sharp       frequencies at which three standard deviations are below 0.05 dB and 0.3 degrees
   worst_dB, worst_deg   largest errors at these
   median_sd_dB          of all
+  means, means_covered  of struts on stepped sines: mean offsets, and the share of them within 1.96 deviations, %
+  worst_mean_mm, median_mean_sd_mm
 """
 import argparse
 import cmath
@@ -34,8 +36,11 @@ VEHICLES = {
     "landrover110_linkage": (["front", "rear"], "heave", {"bilinear": []}),
 }
 NOISE = ["0.1%", "1%"]
-# Dwells of few cycles, from 0.5 to 2.9 Hz in steps of 5 %: cycles, and pauses in seconds.
-SHORT = {"four": (4, 0), "four_paused": (4, 2), "six": (6, 0), "six_paused": (6, 2), "eight": (8, 0)}
+ALL_HZ = [0.5 * 60 ** (k / 39) for k in range(40)]
+LOW_HZ = [0.5 * 1.05**k for k in range(37)]
+# Dwells that are short in cycles or in seconds: cycles, pauses in seconds, frequencies.
+SHORT = {"four": (4, 0, LOW_HZ), "four_paused": (4, 2, LOW_HZ), "six": (6, 0, LOW_HZ), "six_paused": (6, 2, LOW_HZ),
+         "eight": (8, 0, LOW_HZ), "ten_to_30_Hz": (10, 0, ALL_HZ)}
 
 
 def run(*arguments):
@@ -75,8 +80,8 @@ def truth(program, model, mode, settings, frequencies):
     listed = ",".join(f"{f!r}Hz" for f in frequencies)
     answer = json.loads(run(program, "response", model, "--mode", mode, "--engine", "reduced", "--frequencies", listed,
                             "--json", *words))["modes"][0]
-    return {channel["name"]: [g * cmath.exp(1j * math.radians(p)) for g, p in zip(channel["gain"], channel["phase_deg"])]
-            for channel in answer["channels"]}
+    return {channel["name"]: ([g * cmath.exp(1j * math.radians(p)) for g, p in zip(channel["gain"], channel["phase_deg"])],
+                              channel["mean"]) for channel in answer["channels"]}
 
 
 def simulate(program, model, motion, settings, noise, seed, output):
@@ -107,6 +112,21 @@ def compare(measured, true):
     return points, covered, sharp, worst_dB, worst_deg, statistics.median(deviations)
 
 
+def compare_means(measured, true):
+    """Errors and standard deviations of a strut's means [m]; nothing for other channels and motions."""
+    if measured["unit"] != "m" or not measured["mean"]:
+        return []
+    return [(mean - at, sd) for mean, at, sd in zip(measured["mean"], true, measured["mean_sd"])]
+
+
+def means_row(means):
+    if not means:
+        return [0, "", "", ""]
+    covered = sum(abs(error) < 1.96 * sd for error, sd in means)
+    return [len(means), f"{100 * covered / len(means):.1f}", f"{1e3 * max(abs(error) for error, _ in means):.4f}",
+            f"{1e3 * statistics.median(sd for _, sd in means):.4f}"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -116,17 +136,15 @@ def main():
     program = Path(options.program).resolve()
     table = csv.writer(sys.stdout, lineterminator="\n")
     table.writerow(["vehicle", "motion", "dampers", "noise", "channel", "points", "covered_percent", "sharp", "worst_dB",
-                    "worst_deg", "median_sd_dB"])
-    steps = [0.5 * 60 ** (k / 39) for k in range(40)]
-    low = [0.5 * 1.05**k for k in range(37)]
+                    "worst_deg", "median_sd_dB", "means", "means_covered_percent", "worst_mean_mm", "median_mean_sd_mm"])
     for name in options.vehicle or VEHICLES:
         posts, mode, dampers_of = VEHICLES[name]
         model = SOURCE / f"urdf/{name}.urdf"
         with tempfile.TemporaryDirectory() as folder:
             folder = Path(folder)
-            write_heights(folder / "heights.csv", posts, stepped_heights(steps))
-            for kind, (cycles, pause_s) in SHORT.items():
-                write_heights(folder / f"{kind}.csv", posts, stepped_heights(low, cycles, 0, pause_s))
+            write_heights(folder / "heights.csv", posts, stepped_heights(ALL_HZ))
+            for kind, (cycles, pause_s, frequencies) in SHORT.items():
+                write_heights(folder / f"{kind}.csv", posts, stepped_heights(frequencies, cycles, 0, pause_s))
             runs = []
             for dampers, settings in dampers_of.items():
                 runs.append(("stepped", dampers, ["--recording", folder / "heights.csv"], settings))
@@ -138,6 +156,7 @@ def main():
             for motion, dampers, words, settings in runs:
                 for noise in NOISE:
                     sums = {}
+                    means = {}
                     for seed in range(1, options.seeds + 1):
                         simulate(program, model, words, settings, noise, seed, folder / "recording.csv")
                         grid = [] if motion in {"stepped", *SHORT} else ["--frequencies", "0.7Hz:25Hz:40"]
@@ -147,14 +166,17 @@ def main():
                         response = measured["responses"][0]
                         true = truth(program, model, mode, settings, response["frequency_Hz"])
                         for channel in response["channels"]:
-                            sums.setdefault(channel["name"], []).append(compare(channel, true[channel["name"]]))
+                            phasors, offsets = true[channel["name"]]
+                            sums.setdefault(channel["name"], []).append(compare(channel, phasors))
+                            means.setdefault(channel["name"], []).extend(compare_means(channel, offsets))
                     for channel, found in sums.items():
                         points = sum(part[0] for part in found)
                         table.writerow([name, motion, dampers, noise, channel, points,
                                         f"{100 * sum(part[1] for part in found) / points:.1f}",
                                         sum(part[2] for part in found), f"{max(part[3] for part in found):.4f}",
                                         f"{max(part[4] for part in found):.3f}",
-                                        f"{statistics.median(part[5] for part in found):.4f}"])
+                                        f"{statistics.median(part[5] for part in found):.4f}",
+                                        *means_row(means[channel])])
                     sys.stdout.flush()
 
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/files/json_text.h"
 #include "analysis/files/recording_layout.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
@@ -59,6 +60,7 @@ void Add(Sha256& digest, const MeasuredChannel& channel) {
   digest.Add(channel.radial_sd);
   digest.Add(channel.tangential_sd);
   digest.Add(channel.mean);
+  if (!channel.mean_sd.empty()) digest.Add(channel.mean_sd);
   digest.Add(channel.second_harmonic);
 }
 
@@ -126,6 +128,23 @@ Json AnswerJson(const MeasuredRun& run, const SteadyResponse& answer) {
           {"channels", channels}};
 }
 
+/// What the fitted vehicle makes of recordings that the fit has not seen.
+void AddValidation(const std::vector<MeasuredRun>& unseen, const Vehicle& vehicle, const CondensedModel& model,
+                   ExperimentResults& results) {
+  if (unseen.empty()) return;
+  const std::vector<FrequencyResponse> predicted = ModelledResponses(model, vehicle.sensors, unseen);
+  Json& list = results.json["validation"] = Json::array();
+  for (std::size_t r = 0; r < unseen.size(); ++r)
+    for (const ChannelMisfit& misfit : ResponseMisfits({unseen[r]}, {predicted[r]})) {
+      Json entry = {{"recording", unseen[r].name}, {"name", misfit.name}};
+      entry.update(ErrorsJson(misfit));
+      entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
+      list.push_back(std::move(entry));
+    }
+  results.unseen_text +=
+      "Not fitted:\n" + MisfitTable(ResponseMisfits(unseen, predicted), RecordingMisfits(unseen, predicted)) + '\n';
+}
+
 /// One per run; none where a fit has no deviations.
 std::vector<ResponseBands> BandsOf(const Subject& subject, const std::vector<MeasuredRun>& runs,
                                    const std::vector<FrequencyResponse>& modelled,
@@ -149,6 +168,11 @@ std::vector<ExperimentFile> FourPost::Files() const {
   for (const StudyRecording& recording : plan.recordings)
     for (const OtherFile& other : recording.preparation.others)
       files.push_back({.path = other.path, .line = recording.line});
+  for (const StudyRecording& recording : plan.validation) {
+    files.push_back({.path = recording.file, .line = recording.line, .use = ExperimentFile::Use::kValidation});
+    for (const OtherFile& other : recording.preparation.others)
+      files.push_back({.path = other.path, .line = recording.line, .use = ExperimentFile::Use::kValidation});
+  }
   return files;
 }
 
@@ -161,6 +185,7 @@ void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {
   AddChannelsByName(subject.vehicle(), plan);
   runs = LoadRuns(plan, subject.vehicle(), diagnostics);
   if (!diagnostics.HasErrors()) CheckBand(plan, runs, diagnostics);
+  validation = LoadValidationRuns(plan, subject.vehicle(), diagnostics, left_out_);
 }
 
 void FourPost::AddTo(Sha256& data, Sha256& settings) const {
@@ -215,20 +240,28 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   const std::vector<ChannelMisfit> by_recording = RecordingMisfits(in_band, fitted);
   const std::vector<OctaveDiscrepancy> discrepancies = ResponseDiscrepancies(in_band, fitted);
   ExperimentResults results;
-  results.json = {{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},
-                  {"recordings", RecordingsJson(vehicle, runs, by_recording)},
-                  {"channels", ResponseMisfitsJson(misfits)},
-                  {"discrepancy", DiscrepancyJson(discrepancies)},
-                  {"covered", CoveredJson(CoveredBySines(vehicle, fit.values, in_band))}};
+  for (const LeftOutRecording& recording : left_out_)
+    results.json["validation_left_out"].push_back(LeftOutJson(recording));
+  results.json.update({{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},
+                       {"recordings", RecordingsJson(vehicle, runs, by_recording)},
+                       {"channels", ResponseMisfitsJson(misfits)},
+                       {"discrepancy", DiscrepancyJson(discrepancies)},
+                       {"covered", CoveredJson(CoveredBySines(vehicle, fit.values, in_band))}});
   LintTyrePulls(vehicle, fit.values, in_band, results.findings);
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';
   if (fit.end != FitEnd::kInterrupted) AddKinematics(plan, in_band, vehicle, fit.values, results);
-  results.files = {
-      {"response.csv", ResponseCsv(runs, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
-                                   ModelledResponses(start, vehicle.sensors, runs),
-                                   BandsOf(subject, runs, modelled, fit.Spread(), discrepancies, fit.options.threads))},
-      {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
+  const std::vector<FrequencyResponse> unseen = ModelledResponses(model, vehicle.sensors, validation);
+  AddValidation(InBand(validation, plan.band_lower_Hz, plan.band_upper_Hz), vehicle, model, results);
+  std::vector<MeasuredRun> all = runs;
+  all.insert(all.end(), validation.begin(), validation.end());
+  std::vector<FrequencyResponse> all_modelled = modelled;
+  all_modelled.insert(all_modelled.end(), unseen.begin(), unseen.end());
+  results.files = {{"response.csv",
+                    ResponseCsv(all, all_modelled, plan.band_lower_Hz, plan.band_upper_Hz,
+                                ModelledResponses(start, vehicle.sensors, all),
+                                BandsOf(subject, all, all_modelled, fit.Spread(), discrepancies, fit.options.threads))},
+                   {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
   if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, fit.options.threads, results);
   return results;
 }

@@ -24,6 +24,7 @@ class FourPost : public Experiment {
 
   std::unique_ptr<Experiment> Clone() const override { return std::make_unique<FourPost>(*this); }
   std::vector<ExperimentFile> Files() const override;
+  void LeaveOutValidation() override { plan.validation.clear(); }
   void CheckFiles(Diagnostics& diagnostics) const override;
   void Load(const Subject& subject, Diagnostics& diagnostics) override;
   void AddTo(Sha256& data, Sha256& settings) const override;
@@ -37,7 +38,9 @@ class FourPost : public Experiment {
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   std::optional<ExperimentResults> Respond(const Subject& subject, std::optional<Engine> engine,
                                            const WorkHooks& hooks) const override;
-  std::string_view Recordings() const override { return "stepped sines, with a column 'frequency_Hz' or one of times, named as in the recordings of the fit"; }
+  std::string_view Recordings() const override {
+    return "stepped sines, with a column 'frequency_Hz' or one of times, named as in the recordings of the fit";
+  }
   bool Reads(const RecordedTable& table) const override;
   std::optional<ExperimentResults> Predict(const Subject& subject, const PredictionRequest& request,
                                            const WorkHooks& hooks) const override;
@@ -50,8 +53,10 @@ class FourPost : public Experiment {
                        ExperimentResults& results) const;
 
   FourPostPlan plan;
-  /// After Load().
+  /// To fit, after Load().
   std::vector<MeasuredRun> runs;
+  /// Kept for validation, after Load().
+  std::vector<MeasuredRun> validation;
 };
 
 }  // namespace fourpost

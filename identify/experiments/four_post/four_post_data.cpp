@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
@@ -78,6 +79,7 @@ ChannelResponse Corrected(ChannelResponse response, const std::vector<double>& f
   for (double& sd : response.gain_sd) sd *= scale * of_mean;
   for (double& sd : response.phase_sd_rad) sd *= of_mean;
   for (double& mean : response.mean) mean *= channel.factor;
+  for (double& sd : response.mean_sd) sd *= scale * of_mean;
   for (double& harmonic : response.second_harmonic) harmonic *= scale;
   return response;
 }
@@ -93,6 +95,9 @@ MeasuredChannel Combine(const std::vector<ChannelResponse>& sources, ChannelSour
   const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(),
                                                        [](const ChannelResponse& c) { return !c.mean.empty(); });
   if (has_mean) out.mean.assign(points, 0);
+  const bool has_mean_sd = has_mean && std::any_of(sources.begin(), sources.end(),
+                                                   [](const ChannelResponse& c) { return !c.mean_sd.empty(); });
+  if (has_mean_sd) out.mean_sd.assign(points, 0);
   const bool has_second = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse& c) {
                             return !c.second_harmonic.empty();
                           });
@@ -101,6 +106,8 @@ MeasuredChannel Combine(const std::vector<ChannelResponse>& sources, ChannelSour
     for (std::size_t i = 0; i < points; ++i) {
       out.response[i] += share * source.response[i];
       if (has_mean) out.mean[i] += share * source.mean[i];
+      if (has_mean_sd && !source.mean_sd.empty())
+        out.mean_sd[i] = std::hypot(out.mean_sd[i], share * source.mean_sd[i]);
       // Of struts that move alike; amplitudes have no phase to add by.
       if (has_second) out.second_harmonic[i] += share * source.second_harmonic[i];
     }
@@ -295,6 +302,29 @@ std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehic
   return DataLoader(plan, vehicle, diagnostics).Load();
 }
 
+std::vector<MeasuredRun> LoadValidationRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics,
+                                            std::vector<LeftOutRecording>& left_out) {
+  std::vector<MeasuredRun> loaded;
+  for (const StudyRecording& recording : plan.validation) {
+    Diagnostics found;
+    FourPostPlan alone = plan;
+    alone.recordings = {recording};
+    std::vector<MeasuredRun> runs;
+    if (RequireFile(recording.file, plan.file, recording.line, found)) runs = LoadRuns(alone, vehicle, found);
+    for (const MeasuredRun& run : InBand(runs, plan.band_lower_Hz, plan.band_upper_Hz))
+      if (run.excitation.frequency_Hz.empty())
+        found.Report(kBandWithoutFrequency, {plan.file, plan.band_line}, {run.name});
+    if (std::optional<LeftOutRecording> out = LeftOutFor(found, recording.name, recording.file, diagnostics))
+      left_out.push_back(*std::move(out));
+    else
+      for (MeasuredRun& run : runs) {
+        run.is_validation = true;
+        loaded.push_back(std::move(run));
+      }
+  }
+  return loaded;
+}
+
 bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz) {
   // Frequencies of dwells are measured, those of a band are round.
   constexpr double kMeasured = 1e-3;
@@ -314,6 +344,7 @@ std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double low
       channel.radial_sd = Kept(channel.radial_sd, keep);
       channel.tangential_sd = Kept(channel.tangential_sd, keep);
       if (!channel.mean.empty()) channel.mean = Kept(channel.mean, keep);
+      if (!channel.mean_sd.empty()) channel.mean_sd = Kept(channel.mean_sd, keep);
       if (!channel.second_harmonic.empty()) channel.second_harmonic = Kept(channel.second_harmonic, keep);
     }
     out.push_back(std::move(part));

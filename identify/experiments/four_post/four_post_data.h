@@ -10,6 +10,7 @@
 #include "analysis/measured_response/measured_response.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/study_file/channel_source.h"
+#include "identify/study_file/left_out_recording.h"
 #include "identify/study_file/model_error.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/excitation.h"
@@ -56,8 +57,9 @@ struct MeasuredChannel {
   /// zero where there were no repeats.
   std::vector<double> radial_sd;
   std::vector<double> tangential_sd;
-  /// Mean offset [unit]; empty where not measured.
+  /// Mean offset [unit]; empty where not measured. Its standard deviation; empty where not known.
   std::vector<double> mean;
+  std::vector<double> mean_sd;
   /// Amplitude of the second harmonic [unit]; empty where not measured.
   std::vector<double> second_harmonic;
   /// The sensors that it is the mean or sum of move against each other, which is warned of.
@@ -70,6 +72,7 @@ struct MeasuredRun {
   std::vector<MeasuredChannel> channels;
   /// Of a time history: what was done to it, a sentence each.
   std::vector<std::string> preparations = {};
+  bool is_validation = false;
 };
 
 /// Stepped sines as a study describes them; paths are resolved.
@@ -77,6 +80,8 @@ struct FourPostPlan {
   /// The study's.
   std::string file;
   std::vector<StudyRecording> recordings;
+  /// Kept from the fit, for validation.
+  std::vector<StudyRecording> validation = {};
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
   /// Whether sensors that all recordings have channels of the same name for are measured as well.
@@ -93,6 +98,11 @@ void AddChannelsByName(const Vehicle& vehicle, FourPostPlan& plan);
 /// Reads the recordings and maps their channels to the vehicle's sensors. Adds every fault to `diagnostics`; recordings
 /// that cannot be read are left out.
 std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics);
+
+/// The same of recordings that are kept for validation: those that cannot be used, or have no frequency in the band,
+/// are left out with a warning.
+std::vector<MeasuredRun> LoadValidationRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics,
+                                            std::vector<LeftOutRecording>& left_out);
 
 /// Whether a study's band holds a frequency: from its lower to its upper end, which hold those within 0.1 % of them.
 bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz);

@@ -43,7 +43,7 @@ class FourPostReader {
     for (const YAML::Node& entry : list) {
       const StrictMap map = Map(entry, "the recording",
                                 {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample",
-                                 "bridge", "with", "time", "start", "end"});
+                                 "bridge", "with", "time", "start", "end", "use"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
@@ -55,10 +55,15 @@ class FourPostReader {
       if (map.Has("post_channels")) ReadPostChannels(map.Get("post_channels"), recording);
       if (map.Has("filter")) recording.filter = Filter(map.Get("filter"));
       ReadTimes(map, recording);
-      for (const StudyRecording& other : plan_.recordings)
-        if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});
-      plan_.recordings.push_back(recording);
+      for (const std::vector<StudyRecording>* const others : {&plan_.recordings, &plan_.validation})
+        for (const StudyRecording& other : *others)
+          if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});
+      const std::string use = map.Text("use").value_or("fit");
+      if (use != "fit" && use != "validation")
+        map.Fault(map.Get("use"), kSineUse, {"recording '" + recording.name + "'"});
+      (use == "validation" ? plan_.validation : plan_.recordings).push_back(std::move(recording));
     }
+    if (plan_.recordings.empty()) Fault(list, kSinesNotFitted);
   }
 
   void ReadTimes(const StrictMap& map, StudyRecording& recording) {

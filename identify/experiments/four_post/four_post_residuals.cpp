@@ -119,6 +119,10 @@ Scale ScaleOf(const MeasuredRun& run, const MeasuredChannel& channel, const Mode
           .tangential_sd = std::hypot(channel.tangential_sd[i], gain * model_error.phase_rad, floor)};
 }
 
+double MeanDeviation(const MeasuredChannel& channel, const ModelError& model_error, std::size_t i) {
+  return channel.mean_sd.empty() ? model_error.mean_m : std::hypot(channel.mean_sd[i], model_error.mean_m);
+}
+
 /// Along and across the measured phasor.
 Eigen::Vector2d WhitenedError(const MeasuredRun& run, const MeasuredChannel& channel, const FrequencyResponse& modelled,
                               const ModelError& model_error, std::size_t i) {
@@ -136,7 +140,7 @@ void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const Mod
       *out++ = error.y();
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i)
-      *out++ = (model.mean[i] - channel.mean[i]) / model_error.mean_m;
+      *out++ = (model.mean[i] - channel.mean[i]) / MeanDeviation(channel, model_error, i);
     for (std::size_t i = 0; i < SecondHarmonics(channel, model_error); ++i)
       *out++ = (model.second_harmonic[i] - channel.second_harmonic[i]) / model_error.second_harmonic_m;
   }
@@ -152,7 +156,8 @@ void AddSlopes(const MeasuredRun& run, const FrequencyResponse& slopes, const Mo
       *out++ = change.real() / scale.radial_sd;
       *out++ = change.imag() / scale.tangential_sd;
     }
-    for (std::size_t i = 0; i < channel.mean.size(); ++i) *out++ = slope.mean[i] / model_error.mean_m;
+    for (std::size_t i = 0; i < channel.mean.size(); ++i)
+      *out++ = slope.mean[i] / MeanDeviation(channel, model_error, i);
     for (std::size_t i = 0; i < SecondHarmonics(channel, model_error); ++i)
       *out++ = slope.second_harmonic[i] / model_error.second_harmonic_m;
   }

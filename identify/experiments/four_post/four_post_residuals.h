@@ -16,7 +16,8 @@ namespace fourpost {
 ///   measured phasor: to first order the error of gain and of phase, but without a jump at 180 degrees and finite where
 ///   a gain passes through zero. Each is divided by the root of the measured variance plus the squares of the model
 ///   error and of its floor;
-/// - mean strut offsets over the model error of means: they alone distinguish bump from rebound.
+/// - mean strut offsets over the root of their variance plus the square of the model error of means: they alone
+///   distinguish bump from rebound.
 /// `runs` hold only the frequencies to fit. `integrates`: see ModelledResponse().
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations = {},

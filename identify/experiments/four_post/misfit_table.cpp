@@ -18,16 +18,25 @@ std::string Percent(const std::optional<double>& percent) { return percent ? Rou
 std::string YardstickTable(const std::vector<ChannelMisfit>& misfits) {
   if (std::none_of(misfits.begin(), misfits.end(), [](const auto& misfit) { return misfit.Allowed_percent(); }))
     return "";
-  TextTable table({"channel", "NMSE, %", "linear model, %", "scatter, %", "of the model, %"});
+  // Of a single recording per pattern the best linear model is the recording.
+  const bool has_linear = std::any_of(misfits.begin(), misfits.end(),
+                                      [](const ChannelMisfit& misfit) { return misfit.linear_percent.has_value(); });
+  std::vector<std::string> head = {"channel", "NMSE, %", "scatter, %", "of the model, %"};
+  if (has_linear) head.insert(head.begin() + 2, "linear model, %");
+  TextTable table(head);
   for (const ChannelMisfit& misfit : misfits) {
     const std::optional<double> allowed = misfit.Allowed_percent();
-    table.Add({misfit.name, Rounded(misfit.nmse_percent, 3), Percent(misfit.linear_percent),
-               Percent(misfit.scatter_percent),
-               allowed ? Rounded(std::max(0.0, misfit.nmse_percent - *allowed), 3) : "-"});
+    std::vector<std::string> row = {misfit.name, Rounded(misfit.nmse_percent, 3), Percent(misfit.scatter_percent),
+                                    allowed ? Rounded(std::max(0.0, misfit.nmse_percent - *allowed), 3) : "-"};
+    if (has_linear) row.insert(row.begin() + 2, Percent(misfit.linear_percent));
+    table.Add(row);
   }
-  return "\nWithout physics: the best linear model, which is one response for all recordings of a pattern, and the "
-         "scatter\nthat their standard deviations state. NMSE above the least of these is the model's: a better one "
-         "exists.\nBelow it, the data may allow no more.\n" +
+  return (has_linear
+              ? "\nWithout physics: the best linear model, which is one response for all recordings of a pattern, and "
+                "the scatter\nthat their standard deviations state. NMSE above the least of these is the model's: a "
+                "better one exists.\nBelow it, the data may allow no more.\n"
+              : "\nWithout physics: the scatter that the standard deviations of the recordings state. NMSE above it is "
+                "the model's;\nbelow it, the data may allow no more.\n") +
          table.Format();
 }
 

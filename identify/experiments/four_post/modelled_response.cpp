@@ -136,8 +136,8 @@ std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<
       for (std::size_t i = 0; i < channel.response.size(); ++i) {
         const double f = runs[r].excitation.frequency_Hz[i];
         const ChannelResponse* at_start = start.empty() ? nullptr : &start[r].channels[channel.sensor];
-        AddRow(runs[r], channel, modelled[r].channels[channel.sensor], at_start, i, IsInBand(f, lower_Hz, upper_Hz),
-               csv);
+        AddRow(runs[r], channel, modelled[r].channels[channel.sensor], at_start, i,
+               IsInBand(f, lower_Hz, upper_Hz) && !runs[r].is_validation, csv);
         if (!bands.empty())
           AddBand(bands[r].channels.at(c), std::abs(modelled[r].channels[channel.sensor].response[i]), i, csv);
       }

@@ -25,9 +25,9 @@ std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, co
 
 /// Measurement and model side by side as comma-separated text: one row per recording, channel and frequency, gains and
 /// phases relative to the reference post as in the recordings, mean offsets in the channel's unit. `in_band` is 1 where
-/// IsInBand(). Standard deviations of the repeats are empty where there were none. `start`: what the
-/// vehicle answers as its file has it; none of it when empty. `bands`: one per run, half widths of 95 %; no columns of
-/// them when empty.
+/// IsInBand(), but for recordings that are kept for validation. Standard deviations of the repeats are empty where
+/// there were none. `start`: what the vehicle answers as its file has it; none of it when empty. `bands`: one per run,
+/// half widths of 95 %; no columns of them when empty.
 std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
                         double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start = {},
                         const std::vector<ResponseBands>& bands = {});

@@ -144,6 +144,20 @@ TEST(Dwells, OfStatedFrequenciesAreFoundWhereStepsAreSmall) {
   EXPECT_TRUE(DwellsOfFrequencies(made.signal, track, std::vector<double>{0.1}).empty());
 }
 
+// Half of the way between frequencies far apart is far from both.
+TEST(Dwells, OfStatedFrequenciesAreNearThem) {
+  const ShortDwells made = MakeShortDwells({2, 5, 10, 15, 20}, 10, 1, 1);
+  const std::vector<TonePoint> track = TrackTone(made.signal);
+  const std::vector<Dwell> found = DwellsOfFrequencies(made.signal, track, std::vector<double>{2 / kRate, 20 / kRate});
+  EXPECT_EQ(found.size(), 2U);
+  for (const Dwell& dwell : found) {
+    const bool is_first = dwell.cycles_per_sample * kRate < 10;
+    const double middle = 0.5 * (dwell.start + dwell.end);
+    EXPECT_GT(middle, is_first ? made.start.front() : made.start.back());
+    EXPECT_LT(middle, is_first ? made.end.front() : made.end.back());
+  }
+}
+
 TEST(Dwells, OfOneFrequencyPartWhereTheAmplitudeSteps) {
   std::vector<double> signal;
   for (int k = 0; k < 20000; ++k)

@@ -99,16 +99,67 @@ TEST(SteppedSine, HasHarmonicsAndMeansFromRest) {
   for (const double z : post) channel.push_back(7 + 2 * z + 5 * z * z);
   const std::vector<Dwell> dwells = FindDwells(post, TrackTone(post));
   const RigSignals signals{.rate_Hz = kRate, .posts = {post}, .channels = {channel}};
-  const std::vector<double> rest = LevelsAtRest(signals, dwells);
+  const std::vector<RestLevel> rest = LevelsAtRest(signals, dwells);
   ASSERT_EQ(rest.size(), 1U);
   const std::vector<DwellResponse> responses = RespondInDwells(signals, dwells);
   ASSERT_EQ(responses.size(), 3U);
   for (const DwellResponse& at : responses) {
     const double square = 5 * at.amplitude * at.amplitude / 2;
     EXPECT_NEAR(at.channels[0].harmonics[1], square, 1e-3 * square);
-    EXPECT_NEAR(at.channels[0].mean - rest[0], square, 1e-3 * square);
+    EXPECT_NEAR(at.channels[0].mean - rest[0].mean, square, 1e-3 * square);
     EXPECT_NEAR(at.channels[0].Distortion(), square / (2 * at.amplitude), 1e-4);
   }
+}
+
+/// Dwells of `cycles` back to back, from 0.7 to 20 Hz, and where a channel's mean ends in each: it jumps where the
+/// frequency does.
+struct MovingMeans {
+  std::vector<double> post = std::vector<double>(static_cast<std::size_t>(2 * kRate), 0.0);
+  std::vector<double> level = post;
+
+  explicit MovingMeans(double cycles) {
+    double phase = 0;
+    for (double frequency = 0.7; frequency < 20; frequency *= 1.12)
+      for (double k = 0; k < std::round(cycles / frequency * kRate); ++k) {
+        phase += 2 * std::numbers::pi * frequency / kRate;
+        post.push_back(RigAmplitude(frequency) * std::sin(phase));
+        level.push_back(LevelAt(frequency));
+      }
+    post.resize(post.size() + static_cast<std::size_t>(kRate), 0.0);
+    level.resize(post.size(), 0.0);
+  }
+
+  /// Dampers jack a body down where struts are fast, near its own mode and that of the axles [m].
+  static double LevelAt(double frequency_Hz) {
+    const double axle = std::log(frequency_Hz / 9) / 0.4;
+    const double body = std::log(frequency_Hz / 1.5) / 0.3;
+    return -2e-3 * std::exp(-0.5 * body * body) - 1e-3 * std::exp(-0.5 * axle * axle);
+  }
+};
+
+// A body settles by its own modes, whatever the frequency of the posts.
+TEST(SteppedSine, HasDeviationsOfMeansThatAllowForWhatIsNotSettled) {
+  for (const double resonance_Hz : {0.7, 1.3, 2.0})
+    for (const double cycles : {5.0, 8.0, 20.0}) {
+      const KnownSystem system(resonance_Hz, 0.25, kRate);
+      const MovingMeans moving(cycles);
+      std::vector<double> channel = system.Answer(moving.post);
+      const std::vector<double> level = system.Answer(moving.level);
+      for (std::size_t k = 0; k < channel.size(); ++k) channel[k] += level[k];
+      int within = 0;
+      int all = 0;
+      for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        for (const DwellResponse& at :
+             Respond(Noisy(moving.post, 0.01, 0, seed), Noisy(channel, 0.01, 0, seed + 1000))) {
+          ++all;
+          const DwellChannel& measured = at.channels[0];
+          const double error = measured.mean - MovingMeans::LevelAt(at.frequency_Hz);
+          if (std::abs(error) < 1.96 * std::sqrt(measured.mean_variance)) ++within;
+        }
+      // Some 28 frequencies; the errors of one are the same in all three.
+      EXPECT_GE(all, 3 * 26) << resonance_Hz << " Hz, " << cycles;
+      EXPECT_GE(within, 0.9 * all) << resonance_Hz << " Hz, " << cycles;
+    }
 }
 
 // In a pause between dwells a vehicle rings down: only what was before the first counts.
@@ -121,7 +172,10 @@ TEST(SteppedSine, HasItsRestBeforeThePostsMove) {
   post.insert(post.end(), again.begin(), again.end());
   channel.resize(post.size(), 5.0);
   const std::vector<Dwell> dwells = FindDwells(post, TrackTone(post));
-  EXPECT_EQ(LevelsAtRest({.rate_Hz = kRate, .posts = {post}, .channels = {channel}}, dwells), std::vector<double>{3.0});
+  const std::vector<RestLevel> rest = LevelsAtRest({.rate_Hz = kRate, .posts = {post}, .channels = {channel}}, dwells);
+  ASSERT_EQ(rest.size(), 1U);
+  EXPECT_EQ(rest[0].mean, 3.0);
+  EXPECT_EQ(rest[0].variance, 0.0);
   // From the first sine on there is none.
   const std::size_t begin = static_cast<std::size_t>(2.1 * kRate);
   const std::span<const double> moving = std::span<const double>(post).subspan(begin);

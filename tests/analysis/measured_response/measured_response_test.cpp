@@ -112,6 +112,23 @@ TEST(MeasuredResponse, KeepsAmplitudesApartAndJoinsRepeats) {
   EXPECT_THAT(measured->responses[1].repeats, ElementsAre(1, 1, 1, 1));
 }
 
+TEST(MeasuredResponse, HasDeviationsOfMeansThatItsFileKeeps) {
+  const std::vector<double> post = SteppedSine(kFrequencies, 20, kRate);
+  std::vector<double> channel;
+  for (const double z : post) channel.push_back(2 * z + 5 * z * z);
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Noisy(channel, 0.01, 0, 7)}), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  const FrequencyResponse& response = measured->responses.front().response;
+  ASSERT_EQ(response.channels[0].mean_sd.size(), 4U);
+  for (const double sd : response.channels[0].mean_sd) EXPECT_GT(sd, 0);
+  const TemporaryFolder folder;
+  const auto read = ReadFrequencyResponse(folder.Write("heave.csv", RecordingCsv(response)), diagnostics);
+  ASSERT_TRUE(read) << diagnostics.Format();
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(read->channels[0].mean_sd[i] / response.channels[0].mean_sd[i], 1, 1e-5);
+}
+
 TEST(MeasuredResponse, UndoesTheFilterOfTheRig) {
   std::vector<double> post = SteppedSine(kFrequencies, 20, kRate);
   std::vector<double> square;
@@ -158,6 +175,40 @@ TEST(MeasuredResponse, OfASteppedSineStatesItsHarmonics) {
   // 20 z^2 has a second harmonic of 10 amplitude^2, the most at the largest.
   EXPECT_NEAR(measured->responses[0].channels[0].distortion, 10 * RigAmplitude(1), 1e-3);
   EXPECT_NEAR(measured->responses[0].channels[0].distortion_Hz, 1, 1e-6);
+}
+
+/// Six cycles at 12 Hz behind other dwells, and the answer of a body whose own 1 Hz takes longer to fade.
+std::string WithAShortDwell(std::vector<double> post) {
+  for (int k = 0; k < 100; ++k) post.push_back(RigAmplitude(12) * std::sin(2 * std::numbers::pi * 12 / kRate * k));
+  return Csv({"post_FL", "s"}, {"m", "m"}, {post, KnownSystem(1, 0.1, kRate).Answer(post)});
+}
+
+TEST(MeasuredResponse, NamesDwellsThatAreTooShort) {
+  const std::string text = WithAShortDwell(SteppedSine({4, 6, 8}, 20, kRate));
+  Diagnostics diagnostics;
+  const auto measured = Measure(text, diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  EXPECT_EQ(measured->dwells, 3);
+  ASSERT_EQ(measured->missed.size(), 1U);
+  EXPECT_THAT(measured->missed[0],
+              testing::ContainsRegex("the dwell at 1[12][.][0-9] Hz from .* for 10 cycles, 0[.]8"));
+  const auto stated = Measure(text, diagnostics, {.kind = ExcitationKind::kStepped, .frequencies_Hz = {4, 6, 8, 12}});
+  ASSERT_TRUE(stated);
+  EXPECT_EQ(stated->dwells, 3);
+  EXPECT_EQ(stated->missed.size(), 1U);
+  EXPECT_THAT(diagnostics, Reports(kResponseStatedMissing, {"1 of 4", "12.0 Hz", "10 cycles", "0.83 s"}));
+}
+
+TEST(MeasuredResponse, SaysWhyThereIsNoDwell) {
+  const std::string text = WithAShortDwell({});
+  const auto refused = [&](const std::vector<double>& frequencies_Hz) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(Measure(text, diagnostics, {.kind = ExcitationKind::kStepped, .frequencies_Hz = frequencies_Hz}));
+    return diagnostics;
+  };
+  EXPECT_THAT(refused({}), Reports(kResponseDwellsShort, {"FL", "10 cycles", "0.8"}));
+  EXPECT_THAT(refused({6, 12}), Reports(kResponseDwellsShort, {"FL", "12.0 Hz"}));
+  EXPECT_THAT(refused({1, 2}), Reports(kResponseStatedNone, {"FL", "2 stated"}));
 }
 
 TEST(MeasuredResponse, RefusesWhatHasNoPostsOrChannels) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/draft/name_meaning.h"
+#include "analysis/text/name_meaning.h"
 #include "identify/study_file/channel_source_text.h"
 
 namespace fourpost {

@@ -32,5 +32,20 @@ TEST(FitText, AsksForSmallerDeviationsWhereResidualsAreFarBelow) {
   EXPECT_THAT(TextOf(fit), Not(HasSubstr("state smaller ones")));
 }
 
+TEST(FitText, LeavesTheModelAloneWhereTheStatedErrorExplainsThatPartsDisagree) {
+  FitResult fit;
+  fit.covariance.emplace();
+  fit.covariance->rank = 1;
+  fit.certainty.emplace();
+  fit.certainty->model_error.is_significant = true;
+  fit.certainty->judged = {0};
+  fit.certainty->noise_sd = fit.certainty->total_sd = Eigen::VectorXd::Ones(1);
+  fit.residual_count = 101;
+  fit.data_squares = 100 * 0.25 * 0.25;
+  EXPECT_THAT(TextOf(fit), AllOf(HasSubstr("by no more than the stated model error"), Not(HasSubstr("lacks"))));
+  fit.data_squares = 100 * 1.5 * 1.5;
+  EXPECT_THAT(TextOf(fit), HasSubstr("the model lacks something"));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -83,6 +83,24 @@ TEST(FourPostResiduals, TakesSecondHarmonicsOfStrutsWhereAsked) {
   EXPECT_EQ(((evaluation.residuals.array() + 5).abs() < 1e-9).count(), added);  // rounding
 }
 
+TEST(FourPostResiduals, WeighsMeansByTheirDeviationAndTheModelError) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  Sines(study).plan.model_error.mean_m = 0.3e-3;
+  std::size_t means = 0;
+  for (MeasuredRun& run : Sines(study).runs)
+    for (MeasuredChannel& channel : run.channels) {
+      for (double& mean : channel.mean) mean += 0.5e-3;
+      channel.mean_sd.assign(channel.mean.size(), 0.4e-3);
+    }
+  for (const MeasuredRun& run : Sines(study).RunsInBand())
+    for (const MeasuredChannel& channel : run.channels) means += channel.mean.size();
+  const VehicleObjective objective = study.MakeObjective();
+  const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
+  ASSERT_TRUE(evaluation.ok());
+  EXPECT_GT(means, 50U);
+  EXPECT_EQ(((evaluation.residuals.array() + 1).abs() < 1e-9).count(), static_cast<Eigen::Index>(means));  // rounding
+}
+
 /// What one standard deviation of one calibration changes in all residuals, at the file's values.
 Eigen::VectorXd ByCalibration(const LoadedStudy& study, const Calibration& calibration) {
   LoadedStudy calibrated = study;

@@ -1,4 +1,4 @@
-#include "identify/draft/name_meaning.h"
+#include "analysis/text/name_meaning.h"
 
 #include <algorithm>
 #include <array>
