@@ -1,6 +1,7 @@
 #include "identify/run/addition_round.h"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,28 +18,33 @@ namespace {
 constexpr std::size_t kMostTries = 4;
 constexpr int kMostOfMechanism = 2;
 
-/// Places of those that lower the criterion, the best first, but for what was taken back: it would come again.
+}  // namespace
+
 std::vector<std::size_t> WorthTrying(const Suggestions& suggestions, const GrowthRound& round,
                                      const std::vector<std::string>& taken_back) {
-  std::vector<std::pair<double, std::size_t>> found;
+  struct Ranked {
+    double worth = 0;
+    double change = 0;
+    std::size_t place = 0;
+    auto operator<=>(const Ranked&) const = default;
+  };
+  std::vector<Ranked> found;
   for (std::size_t k = 0; k < suggestions.list.size(); ++k) {
     const SuggestedAddition& one = suggestions.list[k];
-    const double change =
-        CriterionChange(suggestions.cost, one.cost, round.residuals, one.effective, one.addition.count, round.tried);
+    const double change = CriterionChange(suggestions.cost, one.cost, round.residuals, one.effective,
+                                          one.addition.count, round.tried, one.addition.choices);
     if (change < 0 && std::find(taken_back.begin(), taken_back.end(), one.addition.words) == taken_back.end())
-      found.emplace_back(change, k);
+      found.push_back({one.worth, change, k});
   }
   std::sort(found.begin(), found.end());
   std::map<std::string, int> of_mechanism;
   std::vector<std::size_t> places;
-  for (const auto& [change, place] : found) {
+  for (const Ranked& one : found) {
     if (places.size() >= kMostTries) break;
-    if (++of_mechanism[suggestions.list[place].addition.mechanism] <= kMostOfMechanism) places.push_back(place);
+    if (++of_mechanism[suggestions.list[one.place].addition.mechanism] <= kMostOfMechanism) places.push_back(one.place);
   }
   return places;
 }
-
-}  // namespace
 
 std::optional<GrowthRound> FindAdditions(const GrowthOrigin& origin, const GrowthPath& path, const WorkHooks& hooks) {
   const GrowthStep& before = path.steps[path.LastKept()];
@@ -60,6 +66,7 @@ std::optional<GrowthRound> FindAdditions(const GrowthOrigin& origin, const Growt
                                              .variant = one.addition.variant,
                                              .amount = one.amount,
                                              .count = one.addition.count,
+                                             .choices = one.addition.choices,
                                              .parameters = one.addition.parameters},
                                 .folder = GrowthFolder(path.steps.size() + round.candidates.size()),
                                 .effective = one.effective});

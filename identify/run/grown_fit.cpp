@@ -240,13 +240,13 @@ class Grower {
                      WordsOf(one.takes_back, one.addition));
     if (!FitOrRefuse(step)) return;
     if (step.reason.empty() && !one.takes_back.empty()) {
-      step.criterion = TakeBackChange(before, step.cost, one.addition.count);
+      step.criterion = TakeBackChange(before, step.cost, one.addition);
       Judge(before, step);
     } else if (step.reason.empty()) {
       if (!FitWider(step)) return;
       step.at_bound = AtBound(grown_.fit.fit, one.addition.parameters);
-      step.criterion =
-          CriterionChange(before.cost, step.cost, step.residuals, step.effective, one.addition.count, step.tried);
+      step.criterion = CriterionChange(before.cost, step.cost, step.residuals, step.effective, one.addition.count,
+                                       step.tried, one.addition.choices);
       Judge(before, step);
     }
     Keep(step);

@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json AdditionJson(const GrowthAddition& addition) {
-  return {{"added", addition.words},          {"mechanism", addition.mechanism}, {"elements", addition.elements},
-          {"variant", addition.variant},      {"amount", addition.amount},       {"count", addition.count},
-          {"parameters", addition.parameters}};
+  return {{"added", addition.words},     {"mechanism", addition.mechanism},  {"elements", addition.elements},
+          {"variant", addition.variant}, {"amount", addition.amount},        {"count", addition.count},
+          {"choices", addition.choices}, {"parameters", addition.parameters}};
 }
 
 /// Throws where it is none.
@@ -28,6 +28,7 @@ GrowthAddition AdditionOf(const nlohmann::json& json) {
           .variant = json.at("variant"),
           .amount = json.at("amount"),
           .count = json.at("count"),
+          .choices = json.at("choices"),
           .parameters = json.at("parameters")};
 }
 

@@ -21,6 +21,7 @@ struct GrowthAddition {
   int variant = 0;
   double amount = 0;
   int count = 0;
+  int choices = 1;
   /// Names of the parameters that it adds or frees.
   std::vector<std::string> parameters = {};
 };
@@ -29,8 +30,8 @@ struct GrowthAddition {
 struct GrowthStep {
   /// Nothing: the study as it stands.
   GrowthAddition addition;
-  /// Folder of the first step that made the addition, where this one takes it back, as often as it was made; empty where
-  /// it makes it.
+  /// Folder of the first step that made the addition, where this one takes it back, as often as it was made; empty
+  /// where it makes it.
   std::string takes_back = {};
   /// Below the output: where the step's study and its fit are.
   std::string folder;

@@ -45,9 +45,9 @@ class Remaker {
     std::vector<Addition> offered = AllAdditions(study, all);
     const std::optional<std::size_t> place = PlaceOf(wanted, offered);
     if (!place) return false;
-    SuggestedAddition made{.addition = std::move(offered[*place]), .amount = wanted.amount};
+    SuggestedAddition made{.addition = std::move(offered[*place]), .amount = wanted.amount, .others = free};
     SetValues(wanted, made);
-    Write(Apply(study, free, made, folder_));
+    Write(Apply(study, made, folder_));
     return true;
   }
 

@@ -22,18 +22,19 @@ struct Mark {
   std::array<std::string_view, 2> keys;
 };
 
-constexpr std::array<Mark, 9> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
-                                         {ResultKind::kPrediction, {"was_fitted", "channels"}},
-                                         {ResultKind::kResponse, {"direction", "modes"}},
-                                         {ResultKind::kModes, {"parameters", "modes"}},
-                                         {ResultKind::kKinematics, {"parameters", "axles"}},
-                                         {ResultKind::kResponse, {"recordings", "channels"}},
-                                         {ResultKind::kRide, {"parameters", "rides"}},
-                                         {ResultKind::kChoice, {"lattice", "present"}},
-                                         {ResultKind::kPlan, {"planned_runs", "planned_parameters"}}}};
+constexpr std::array<Mark, 10> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
+                                          {ResultKind::kPrediction, {"was_fitted", "channels"}},
+                                          {ResultKind::kResponse, {"direction", "modes"}},
+                                          {ResultKind::kModes, {"parameters", "modes"}},
+                                          {ResultKind::kKinematics, {"parameters", "axles"}},
+                                          {ResultKind::kResponse, {"recordings", "channels"}},
+                                          {ResultKind::kRide, {"parameters", "rides"}},
+                                          {ResultKind::kChoice, {"lattice", "present"}},
+                                          {ResultKind::kPlan, {"planned_runs", "planned_parameters"}},
+                                          {ResultKind::kSimulation, {"motion", "samples"}}}};
 
-constexpr std::array<std::string_view, 8> kCommands = {"fit",  "predict",    "modes",  "response",
-                                                       "ride", "kinematics", "choose", "plan"};
+constexpr std::array<std::string_view, 9> kCommands = {"fit",        "predict", "modes", "response", "ride",
+                                                       "kinematics", "choose",  "plan",  "simulate"};
 
 std::optional<ResultKind> KindOf(const nlohmann::json& result) {
   for (const Mark& mark : kMarks)

@@ -77,7 +77,7 @@ void WriteApplied(const RunSuggestions& suggestions, std::size_t k, const std::f
     Refuse(kSuggestionUnknown, Place::Option("--apply"), {std::to_string(k), std::to_string(list.size())});
   RequireInputsElsewhere(suggestions.study.InputFiles(), folder);
   OutputFolder output(folder, "", "study.yaml");
-  const AppliedSuggestion applied = Apply(suggestions.study, suggestions.values, list[k - 1], folder);
+  const AppliedSuggestion applied = Apply(suggestions.study, list[k - 1], folder);
   output.Add("vehicle.urdf", applied.vehicle);
   output.Add("study.yaml", applied.study);
   output.Commit();

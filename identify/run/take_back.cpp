@@ -71,7 +71,7 @@ class TakeBackSearch {
       if (!RemakeStudy({origin_.study, origin_.set, Others(place), values_}, folder)) return;
       const std::optional<double> cost = CostOf(folder / "study.yaml");
       if (!cost) return;
-      found.criterion = TakeBackChange(last_, *cost, found.candidate.addition.count);
+      found.criterion = TakeBackChange(last_, *cost, found.candidate.addition);
       found_.push_back(std::move(found));
     } catch (const OutputError&) {
       throw;
@@ -145,8 +145,9 @@ class TakeBackSearch {
 
 }  // namespace
 
-double TakeBackChange(const GrowthStep& with, double cost_without, int count) {
-  return -CriterionChange(cost_without, with.cost, with.residuals, with.effective, count, with.tried);
+double TakeBackChange(const GrowthStep& with, double cost_without, const GrowthAddition& addition) {
+  return -CriterionChange(cost_without, with.cost, with.residuals, with.effective, addition.count, with.tried,
+                          addition.choices);
 }
 
 std::optional<GrowthRound> FindTakeBacks(const GrowthOrigin& origin, const GrowthPath& path, const WorkHooks& hooks) {

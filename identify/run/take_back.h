@@ -9,7 +9,7 @@ namespace fourpost {
 
 /// Change of the criterion, see CriterionChange(), where what lowers the cost from `cost_without` to that of a step is
 /// taken back: below 0 where the criterion would not have it. Counts and residuals are those of the step.
-double TakeBackChange(const GrowthStep& with, double cost_without, int count);
+double TakeBackChange(const GrowthStep& with, double cost_without, const GrowthAddition& addition);
 
 /// What can be taken back of the additions that stand: those without which the criterion falls, or nearly so, where the
 /// other parameters follow by a few steps of the refinement; the best first, at most three, their studies in folders.

@@ -32,6 +32,8 @@ struct Addition {
   double greatest = std::numeric_limits<double>::infinity();
   /// Numbers that it adds, for the criterion.
   int count = 1;
+  /// How many changes it makes, each of which could be made alone: a choice each, for the criterion.
+  int choices = 1;
   /// Which it is of all alternatives of the same key.
   int variant = 0;
 

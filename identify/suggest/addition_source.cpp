@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "analysis/text/number.h"
 #include "vehicles/description/design_poses.h"
@@ -130,6 +131,16 @@ std::vector<std::pair<std::string, std::string>> AdditionSource::EndsOf(const ch
     ends.emplace_back(name, text.substr(0, text.size() - 1));
   }
   return ends;
+}
+
+std::vector<const Damper*> AdditionSource::FrictionBetween(int one, int other) const {
+  std::vector<const Damper*> found;
+  for (const Damper& damper : vehicle_.dampers) {
+    const std::pair<int, int> links = {damper.line.parent.link, damper.line.child.link};
+    if (damper.law.friction && (links == std::pair(one, other) || links == std::pair(other, one)))
+      found.push_back(&damper);
+  }
+  return found;
 }
 
 tinyxml2::XMLElement* AdditionSource::ImageOf(const char* tag, const std::string& written,

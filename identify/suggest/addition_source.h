@@ -34,6 +34,8 @@ class AdditionSource {
   /// Name and `parent="..." child="..." axis="..."` of the elements at whose ends another one is to be written: of a
   /// pair that is mirrored the written one alone.
   std::vector<std::pair<std::string, std::string>> EndsOf(const char* tag, const std::vector<std::string>& names) const;
+  /// Dampers with dry friction between two bodies, in whichever order they name these.
+  std::vector<const Damper*> FrictionBetween(int one, int other) const;
   /// The element that fp:mirror makes of this one, written out in a document of its own; null where there is none.
   tinyxml2::XMLElement* ImageOf(const char* tag, const std::string& written, tinyxml2::XMLDocument& document) const;
 

@@ -41,7 +41,7 @@ std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& s
 
 }  // namespace
 
-AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const SuggestedAddition& suggestion,
+AppliedSuggestion Apply(const LoadedStudy& study, const SuggestedAddition& suggestion,
                         const std::filesystem::path& folder) {
   const Addition& addition = suggestion.addition;
   Diagnostics findings;
@@ -60,7 +60,7 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
     }
   };
   for (std::size_t i = 0; i < study.free.size(); ++i)
-    set(study.vehicle.parameters[study.free[i]].name, values[static_cast<Eigen::Index>(i)]);
+    set(study.vehicle.parameters[study.free[i]].name, suggestion.others[static_cast<Eigen::Index>(i)]);
   for (std::size_t i = 0; i < addition.parameters.size(); ++i) set(addition.parameters[i], suggestion.values[i]);
 
   StudyEdit edit(addition.study ? addition.study(suggestion.amount) : study.study.text);

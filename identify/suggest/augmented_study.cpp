@@ -45,7 +45,9 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
   std::vector<ResidualBlock> blocks;
   for (const Experiment& experiment : study.study.experiments)
     if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
-  condensed_ = subject.Condensed();
+  // A damper on its bench has no equilibrium to condense the vehicle about.
+  if (std::any_of(blocks.begin(), blocks.end(), [](const ResidualBlock& block) { return bool(block.toward); }))
+    condensed_ = subject.Condensed();
   // Priors are those of the study: of new parameters nothing is known.
   objective_.emplace(vehicle_, free_, std::move(blocks));
 }
@@ -56,7 +58,7 @@ std::optional<Eigen::VectorXd> AugmentedStudy::At(double amount, const Eigen::Ve
 }
 
 std::optional<OtherVehicle> AugmentedStudy::VehicleAt(double amount, const Eigen::VectorXd& values) const {
-  if (addition_.study) return std::nullopt;
+  if (!condensed_) return std::nullopt;
   return OtherVehicle{condensed_, objective_->AllParameters(Extended(Added(amount), values))};
 }
 

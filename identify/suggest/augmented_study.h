@@ -36,6 +36,8 @@ class AugmentedStudy {
   std::optional<OtherVehicle> VehicleAt(double amount, const Eigen::VectorXd& values) const;
   /// Of an addition to the vehicle.
   const VehicleObjective& objective() const { return *objective_; }
+  /// Of an evaluation.
+  double deadline_s() const { return study_.study.search.deadline_s; }
 
   /// The same for values of the addition's parameters in place of an amount.
   std::optional<Eigen::VectorXd> With(const Eigen::VectorXd& added, const Eigen::VectorXd& values) const;

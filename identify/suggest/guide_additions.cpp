@@ -3,18 +3,6 @@
 #include "identify/suggest/addition_source.h"
 
 namespace fourpost {
-namespace {
-
-bool HasFrictionBetween(const Vehicle& vehicle, int parent, int child) {
-  for (const Damper& damper : vehicle.dampers) {
-    const bool is_same = (damper.line.parent.link == parent && damper.line.child.link == child) ||
-                         (damper.line.parent.link == child && damper.line.child.link == parent);
-    if (is_same && damper.law.friction) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 /// Dry friction of the guides of a rig: sliding joints on the ground.
 void AddGuideAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
@@ -24,7 +12,7 @@ void AddGuideAdditions(const AdditionSource& source, std::vector<Addition>& addi
   const Vehicle& vehicle = source.vehicle();
   for (const Joint& joint : vehicle.joints) {
     if (joint.type != Joint::Type::kPrismatic || joint.parent != 0) continue;
-    if (HasFrictionBetween(vehicle, joint.parent, joint.child)) continue;
+    if (!source.FrictionBetween(joint.parent, joint.child).empty()) continue;
     const double mass = vehicle.links[static_cast<std::size_t>(joint.child)].mass.At(source.values());
     if (!(mass > 0)) continue;
     Addition addition{.mechanism = "guide_friction", .elements = {joint.name}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace fourpost {
 namespace {
@@ -28,44 +29,107 @@ Eigen::VectorXd Shares(const Eigen::MatrixXd& gram, const Eigen::VectorXd& pull)
   return shares;
 }
 
-}  // namespace
+using Change = std::function<double(double, const Eigen::VectorXd&, std::size_t)>;
 
-JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<Eigen::VectorXd>& with,
-                              const std::function<bool(double, const Eigen::VectorXd&, std::size_t)>& pays) {
-  constexpr std::size_t kMost = 6;
-  const auto count = static_cast<Index>(with.size());
-  Eigen::MatrixXd changes(before.size(), count);
-  for (Index k = 0; k < count; ++k) changes.col(k) = with[static_cast<std::size_t>(k)] - before;
-  const Eigen::MatrixXd gram = changes.transpose() * changes;
-  const Eigen::VectorXd pull = changes.transpose() * before;
+class Joiner {
+ public:
+  Joiner(const Eigen::VectorXd& before, const std::vector<OfferedAddition>& offered, const Change& change)
+      : before_(before), offered_(offered), change_(change), changes_(before.size(), std::ssize(offered)) {
+    for (Index k = 0; k < changes_.cols(); ++k) changes_.col(k) = offered[static_cast<std::size_t>(k)].left - before;
+    gram_ = changes_.transpose() * changes_;
+    pull_ = changes_.transpose() * before;
+  }
 
-  JoinedAdditions joined;
-  Eigen::VectorXd left_now = before;
-  std::vector<Index> taken;
-  while (taken.size() < std::min(kMost, with.size())) {
-    std::vector<Index> best;
-    Eigen::VectorXd best_shares;
+  JoinedAdditions Run() {
+    constexpr std::size_t kMost = 6;
+    // Each lowers the criterion, so that no set comes again; rounding must not go round for ever.
+    constexpr int kMostRounds = 30;
+    for (int round = 0; round < kMostRounds && taken_.size() < kMost; ++round) {
+      const std::optional<Index> next = Next();
+      if (!next || !(Worth(*next, taken_) < 0)) break;
+      taken_.push_back(*next);
+      while (Exchange()) continue;
+    }
+    JoinedAdditions joined{
+        .places = {taken_.begin(), taken_.end()}, .shares = Shares(gram_(taken_, taken_), pull_(taken_)), .worth = {}};
+    for (std::size_t i = 0; i < taken_.size(); ++i) joined.worth.push_back(Worth(taken_[i], Without(i)));
+    return joined;
+  }
+
+ private:
+  using Set = std::vector<Index>;
+
+  std::size_t ThingOf(Index k) const { return offered_[static_cast<std::size_t>(k)].thing; }
+
+  Set Without(std::size_t i) const {
+    Set others = taken_;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    return others;
+  }
+
+  static Set With(Set set, Index k) {
+    set.push_back(k);
+    return set;
+  }
+
+  Eigen::VectorXd Left(const Set& set) const {
+    if (set.empty()) return before_;
+    return before_ + changes_(Eigen::all, set) * Shares(gram_(set, set), pull_(set));
+  }
+
+  /// Change of the criterion with one beside others.
+  double Worth(Index k, const Set& others) const {
+    return change_(Left(others).squaredNorm(), Left(With(others, k)), static_cast<std::size_t>(k));
+  }
+
+  /// That lowers the squares most, of the things that are not taken; nothing where none of them is finite.
+  std::optional<Index> Next() const {
+    std::optional<Index> best;
     double least = std::numeric_limits<double>::infinity();
-    for (Index k = 0; k < count; ++k) {
-      if (std::find(taken.begin(), taken.end(), k) != taken.end()) continue;
-      std::vector<Index> tried = taken;
-      tried.push_back(k);
-      const Eigen::VectorXd shares = Shares(gram(tried, tried), pull(tried));
-      const double squares = shares.dot(gram(tried, tried) * shares) + 2 * shares.dot(pull(tried));
+    for (Index k = 0; k < changes_.cols(); ++k) {
+      if (std::any_of(taken_.begin(), taken_.end(), [&](Index one) { return ThingOf(one) == ThingOf(k); })) continue;
+      const Set tried = With(taken_, k);
+      const Eigen::VectorXd shares = Shares(gram_(tried, tried), pull_(tried));
+      const double squares = shares.dot(gram_(tried, tried) * shares) + 2 * shares.dot(pull_(tried));
       if (!(squares < least)) continue;
       least = squares;
-      best = tried;
-      best_shares = shares;
+      best = k;
     }
-    if (best.empty()) break;  // nothing of them is finite
-    const Eigen::VectorXd left = before + changes(Eigen::all, best) * best_shares;
-    if (!pays(left_now.squaredNorm(), left, static_cast<std::size_t>(best.back()))) break;
-    taken = best;
-    joined.shares = best_shares;
-    left_now = left;
+    return best;
   }
-  joined.places.assign(taken.begin(), taken.end());
-  return joined;
+
+  /// Leaves one out, or takes an alternative for it. False where the criterion does not fall by that.
+  bool Exchange() {
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      const Set others = Without(i);
+      const double worth = Worth(taken_[i], others);
+      if (!(worth < 0)) {
+        taken_ = others;
+        return true;
+      }
+      for (Index k = 0; k < changes_.cols(); ++k) {
+        if (k == taken_[i] || ThingOf(k) != ThingOf(taken_[i]) || !(Worth(k, others) < worth)) continue;
+        taken_[i] = k;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Eigen::VectorXd& before_;
+  const std::vector<OfferedAddition>& offered_;
+  const Change& change_;
+  Eigen::MatrixXd changes_;
+  Eigen::MatrixXd gram_;
+  Eigen::VectorXd pull_;
+  Set taken_;
+};
+
+}  // namespace
+
+JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<OfferedAddition>& offered,
+                              const Change& change) {
+  return Joiner(before, offered, change).Run();
 }
 
 }  // namespace fourpost

@@ -14,13 +14,24 @@ struct JoinedAdditions {
   /// alone.
   std::vector<std::size_t> places;
   Eigen::VectorXd shares;
+  /// By how much the criterion changes with each beside the others; below 0.
+  std::vector<double> worth;
 };
 
-/// Forward selection: takes what lowers the squares most for as long as `pays` says so, at most six. `before`: N
-/// weighted residuals; `with`: those that each addition leaves alone, the variables following. Shares lie within 0 and
-/// 2: what an addition is beyond twice its size alone, its residuals to first order do not say. `pays(squares before,
-/// left, place)`.
-JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<Eigen::VectorXd>& with,
-                              const std::function<bool(double, const Eigen::VectorXd&, std::size_t)>& pays);
+/// An addition that may be taken.
+struct OfferedAddition {
+  /// N weighted residuals that it leaves alone, the variables following.
+  Eigen::VectorXd left;
+  /// What it is an alternative for: of one thing one is taken.
+  std::size_t thing = 0;
+};
+
+/// Stepwise selection: takes what lowers the squares most for as long as the criterion falls, at most six, and after
+/// each puts alternatives in the place of others, or leaves these out, where the criterion falls by that: what came
+/// first may have imitated what came after it. `before`: N weighted residuals. Shares lie within 0 and 2: what an
+/// addition is beyond twice its size alone, its residuals to first order do not say. `change(squares before, left,
+/// place)`: of the criterion.
+JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<OfferedAddition>& offered,
+                              const std::function<double(double, const Eigen::VectorXd&, std::size_t)>& change);
 
 }  // namespace fourpost

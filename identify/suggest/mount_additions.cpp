@@ -52,6 +52,7 @@ class MountAdditions {
     VehicleEdit edit = source_.Edit();
     if (!dampers_.PutFrictionInside(group, edit)) return;
     Addition addition = Mount(group);
+    addition.choices = 2;
     addition.words = "elastic mount in line with damper " + Quoted(addition.elements) + " and its friction";
     const NewParameter parameter = MountRate(group, addition);
     for (const std::string& name : source_.WrittenOf("fp:damper", addition.elements))

@@ -257,11 +257,11 @@ double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStruct
 }
 
 double CriterionChange(double cost_before, double cost, Index residuals, double effective, int parameters,
-                       std::size_t additions) {
+                       std::size_t additions, int choices) {
   if (!(cost > 0) || !(cost_before > 0)) return 0;
   const double missing = std::max(0.0, static_cast<double>(residuals) - cost_before);
   return effective * std::log((cost + missing) / (cost_before + missing)) + parameters * std::log(effective) +
-         2 * std::log(static_cast<double>(std::max<std::size_t>(additions, 1)));
+         2 * choices * std::log(static_cast<double>(std::max<std::size_t>(additions, 1)));
 }
 
 }  // namespace fourpost

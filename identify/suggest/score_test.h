@@ -99,12 +99,13 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
 double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStructure& structure);
 
 /// Change of the extended Bayesian criterion (Chen and Chen, Biometrika 95, 2008), below 0 where it is worth adding:
-///   n ln(cost / cost before) + k ln n + 2 ln(additions).
+///   n ln(cost / cost before) + k ln n + 2 choices ln(additions).
 /// The misfit takes the place of the noise, so that errors of a model that is too simple count as noise does. The last
-/// term allows for the best of many models: an addition is one of so many, however many numbers it brings. Where the
-/// cost is below the number of residuals, what is missing is added to both costs: stated noise and model error explain
-/// the data, and no pattern within them asks for more.
+/// term allows for the best of many models: an addition is one of so many, however many numbers it brings, and one that
+/// makes two changes, each of which could be made alone, one of as many squared. Where the cost is below the number of
+/// residuals, what is missing is added to both costs: stated noise and model error explain the data, and no pattern
+/// within them asks for more.
 double CriterionChange(double cost_before, double cost, Eigen::Index residuals, double effective, int parameters,
-                       std::size_t additions);
+                       std::size_t additions, int choices = 1);
 
 }  // namespace fourpost

@@ -33,9 +33,10 @@ class SpringAdditions {
   }
 
   void AddAllHysteresis() {
-    for (const AdditionSource::Group& group : source_.Groups(lines_, are_coils_))
-      for (const double ratio : {2, 6, 20})
-        if (!HasHysteresis(group)) AddHysteresis(group, ratio);
+    for (const AdditionSource::Group& group : source_.Groups(lines_, are_coils_)) {
+      if (HasHysteresis(group)) continue;
+      for (const double ratio : {2, 6, 20}) AddHysteresis(group, ratio);
+    }
   }
 
  private:
@@ -63,12 +64,10 @@ class SpringAdditions {
 
   /// Friction in line with a spring, between the same bodies.
   bool HasHysteresis(const AdditionSource::Group& group) const {
-    const Spring& coil = source_.vehicle().springs[group.front()];
-    const std::vector<Damper>& dampers = source_.vehicle().dampers;
-    return std::any_of(dampers.begin(), dampers.end(), [&](const Damper& damper) {
-      return damper.series && damper.law.friction && damper.line.parent.link == coil.line.parent.link &&
-             damper.line.child.link == coil.line.child.link;
-    });
+    const ForceLine& coil = source_.vehicle().springs[group.front()].line;
+    const std::vector<const Damper*> friction = source_.FrictionBetween(coil.parent.link, coil.child.link);
+    return std::any_of(friction.begin(), friction.end(),
+                       [](const Damper* damper) { return damper->series.has_value(); });
   }
 
   /// Friction that gives way before it slides, as between leaves or in rubber: in line with a spring of `ratio` times

@@ -68,12 +68,14 @@ class Suggester {
                                std::max(1.0, static_cast<double>(result_.residuals - values_.size())));
     std::vector<Trial> trials = Trials();
     TestAll(fitted, trials);
-    std::vector<Trial*> best = BestOfEach(fitted, trials);
-    Confirm(fitted, best);
+    std::vector<Trial*> list = Alternatives(fitted, trials);
+    Confirm(fitted, list);
     result_.is_interrupted = hooks_.IsStopped();
-    LeaveOutParts(best);
+    LeaveOutParts(list);
+    const JoinedAdditions joined = Joined(fitted, list);
+    const std::vector<Trial*> best = BestOfEach(list, joined);
     Describe(fitted, best);
-    Join(fitted, best);
+    Join(fitted, list, joined, best);
     for (const Trial& trial : trials)
       if (!trial.test) result_.failed.push_back({trial.addition.words, trial.failure});
     return std::move(result_);
@@ -244,21 +246,7 @@ class Suggester {
     // By what is left with it: errors that it explains are alike because it is missing.
     const double effective = EffectiveOf(fitted, trial.test->left);
     return CriterionChange(base_.cost, trial.test->cost, result_.residuals, effective, trial.addition.count,
-                           result_.tried);
-  }
-
-  /// The best of all alternatives for each thing that could be added, by their criterion.
-  std::vector<Trial*> BestOfEach(const FollowedCost& fitted, std::vector<Trial>& trials) const {
-    std::map<std::string, Trial*> of_key;
-    for (Trial& trial : trials) {
-      if (!trial.test) continue;
-      Trial*& best = of_key.try_emplace(trial.addition.Key(), &trial).first->second;
-      if (CriterionOf(fitted, trial) < CriterionOf(fitted, *best)) best = &trial;
-    }
-    std::vector<Trial*> list;
-    for (const auto& [key, trial] : of_key) list.push_back(trial);
-    Sort(fitted, list);
-    return list;
+                           result_.tried, trial.addition.choices);
   }
 
   void Sort(const FollowedCost& fitted, std::vector<Trial*>& list) const {
@@ -266,11 +254,48 @@ class Suggester {
                      [&](const Trial* a, const Trial* b) { return CriterionOf(fitted, *a) < CriterionOf(fitted, *b); });
   }
 
-  /// The first of the list, evaluated truly with the parameters following; others of less promise stay as they are.
+  /// The best of those with the same words for each thing that could be added, by their criterion.
+  std::vector<Trial*> Alternatives(const FollowedCost& fitted, std::vector<Trial>& trials) const {
+    std::map<std::string, Trial*> of_words;
+    for (Trial& trial : trials) {
+      if (!trial.test) continue;
+      Trial*& best = of_words.try_emplace(trial.addition.Key() + '|' + trial.addition.words, &trial).first->second;
+      if (CriterionOf(fitted, trial) < CriterionOf(fitted, *best)) best = &trial;
+    }
+    std::vector<Trial*> list;
+    for (const auto& [words, trial] : of_words) list.push_back(trial);
+    Sort(fitted, list);
+    return list;
+  }
+
+  /// The first things of the list, each with those of its alternatives that promise half as much at least, are
+  /// evaluated truly: which of these is right is not seen to first order. Its other alternatives go; things of less
+  /// promise stay as they are.
   void Confirm(const FollowedCost& fitted, std::vector<Trial*>& list) {
-    const std::size_t count = std::min(list.size(), kConfirmed);
-    std::vector<int> evaluated(count);
-    ForEachInParallel(count, threads_, [&](std::size_t i) {
+    constexpr double kNearly = 0.5;
+    struct Thing {
+      std::size_t rank = 0;
+      double fall = 0;
+    };
+    std::map<std::string, Thing> things;
+    std::vector<Trial*> first;
+    std::vector<Trial*> others;
+    for (Trial* trial : list) {
+      const double fall = base_.cost - trial->test->cost;
+      const auto [found, is_new] = things.try_emplace(trial->addition.Key(), Thing{things.size(), fall});
+      const Thing& thing = found->second;
+      if (thing.rank < kConfirmed && (is_new || fall > kNearly * thing.fall)) first.push_back(trial);
+      else if (is_new) others.push_back(trial);
+    }
+    ConfirmEach(fitted, first);
+    list = std::move(first);
+    list.insert(list.end(), others.begin(), others.end());
+    Sort(fitted, list);
+  }
+
+  void ConfirmEach(const FollowedCost& fitted, const std::vector<Trial*>& list) {
+    std::vector<int> evaluated(list.size());
+    ForEachInParallel(list.size(), threads_, [&](std::size_t i) {
       ScoreTest& test = *list[i]->test;
       const int earlier = test.evaluations;
       // Without any it promises nothing.
@@ -281,7 +306,6 @@ class Suggester {
       evaluated[i] = test.evaluations - earlier;
     });
     for (const int number : evaluated) result_.evaluations += number;
-    Sort(fitted, list);
   }
 
   /// What its amount ties together goes its own ways.
@@ -309,18 +333,21 @@ class Suggester {
     list = std::move(kept);
   }
 
+  SuggestedAddition Described(const FollowedCost& fitted, const Trial& trial) const {
+    SuggestedAddition one{.addition = trial.addition, .amount = trial.test->amount};
+    if (!trial.values.empty()) one.values = trial.values;
+    else if (one.addition.values) one.values = one.addition.values(one.amount);
+    one.others = trial.test->is_confirmed ? Moved(variables_.FromValues(values_), trial.test->step) : values_;
+    one.cost = trial.test->cost;
+    one.fall = 1 - trial.test->cost / base_.cost;
+    one.criterion = CriterionOf(fitted, trial);
+    one.effective = EffectiveOf(fitted, trial.test->left);
+    one.moved = MovedBy(MoveOf(*trial.test));
+    return one;
+  }
+
   void Describe(const FollowedCost& fitted, const std::vector<Trial*>& list) {
-    for (const Trial* trial : list) {
-      SuggestedAddition one{.addition = trial->addition, .amount = trial->test->amount};
-      if (!trial->values.empty()) one.values = trial->values;
-      else if (one.addition.values) one.values = one.addition.values(one.amount);
-      one.cost = trial->test->cost;
-      one.fall = 1 - trial->test->cost / base_.cost;
-      one.criterion = CriterionOf(fitted, *trial);
-      one.effective = EffectiveOf(fitted, trial->test->left);
-      one.moved = MovedBy(MoveOf(*trial->test));
-      result_.list.push_back(std::move(one));
-    }
+    for (const Trial* trial : list) result_.list.push_back(Described(fitted, *trial));
     const std::size_t worthwhile = result_.Worthwhile();
     // What each changes in the residuals beyond what the variables could.
     std::vector<Eigen::VectorXd> beyond(worthwhile);
@@ -342,32 +369,53 @@ class Suggester {
 
   /// Of those that were confirmed. Errors within the stated ones may well have a pattern: it cannot be held against the
   /// model, but parameters follow it.
-  void Join(const FollowedCost& fitted, const std::vector<Trial*>& list) {
-    if (result_.is_interrupted) return;
+  JoinedAdditions Joined(const FollowedCost& fitted, const std::vector<Trial*>& list) const {
+    std::vector<OfferedAddition> offered;
     std::vector<std::size_t> confirmed;
-    std::vector<Eigen::VectorXd> with;
+    std::map<std::string, std::size_t> things;
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (!list[i]->test->is_confirmed) continue;
+      const std::size_t thing = things.try_emplace(list[i]->addition.Key(), things.size()).first->second;
+      offered.push_back({fitted.Weighted(list[i]->test->left), thing});
       confirmed.push_back(i);
-      with.push_back(fitted.Weighted(list[i]->test->left));
     }
-    const auto pays = [&](double before, const Eigen::VectorXd& left, std::size_t place) {
+    const auto change = [&](double before, const Eigen::VectorXd& left, std::size_t place) {
       // No number of residuals to compare the cost with: see CriterionChange().
       constexpr Index kNone = 0;
       const double effective = EffectiveResiduals(left.head(result_.residuals), structure_);
-      return CriterionChange(before, left.squaredNorm(), kNone, effective, list[confirmed[place]]->addition.count,
-                             result_.tried) < 0;
+      const Addition& addition = list[confirmed[place]]->addition;
+      return CriterionChange(before, left.squaredNorm(), kNone, effective, addition.count, result_.tried,
+                             addition.choices);
     };
-    const JoinedAdditions joined = JoinAdditions(fitted.Weighted(base_.left), with, pays);
+    JoinedAdditions joined = JoinAdditions(fitted.Weighted(base_.left), offered, change);
+    for (std::size_t& place : joined.places) place = confirmed[place];
+    return joined;
+  }
+
+  /// Of all alternatives for a thing the one that explains the residuals together with other things, else the best.
+  static std::vector<Trial*> BestOfEach(const std::vector<Trial*>& list, const JoinedAdditions& joined) {
+    std::map<std::string, Trial*> of_thing;
+    for (const std::size_t place : joined.places) of_thing[list[place]->addition.Key()] = list[place];
+    for (Trial* trial : list) of_thing.try_emplace(trial->addition.Key(), trial);
+    std::vector<Trial*> best;
+    for (Trial* trial : list)
+      if (of_thing[trial->addition.Key()] == trial) best.push_back(trial);
+    return best;
+  }
+
+  void Join(const FollowedCost& fitted, const std::vector<Trial*>& list, const JoinedAdditions& joined,
+            const std::vector<Trial*>& best) {
+    if (result_.is_interrupted) return;
     result_.jacobian = fitted.point().jacobian;
     result_.left_together = base_.left;
     Eigen::MatrixXd moved(values_.size(), std::ssize(joined.places));
     for (Index k = 0; k < moved.cols(); ++k) {
-      const std::size_t place = confirmed[joined.places[static_cast<std::size_t>(k)]];
-      const ScoreTest& test = *list[place]->test;
+      Trial* trial = list[joined.places[static_cast<std::size_t>(k)]];
+      const auto place = static_cast<std::size_t>(std::find(best.begin(), best.end(), trial) - best.begin());
       result_.together.push_back(place);
-      result_.left_together += joined.shares[k] * (test.left - base_.left);
-      moved.col(k) = joined.shares[k] * MoveOf(test);
+      result_.list[place].worth = joined.worth[static_cast<std::size_t>(k)];
+      result_.left_together += joined.shares[k] * (trial->test->left - base_.left);
+      moved.col(k) = joined.shares[k] * MoveOf(*trial->test);
     }
     result_.moved_together = WithinBounds(moved);
     result_.moves_together = MovedBy(result_.moved_together.rowwise().sum());

@@ -24,6 +24,9 @@ struct SuggestedAddition {
   double amount = 0;
   /// SI, of Addition::parameters.
   std::vector<double> values;
+  /// SI, of the study's free parameters: those that belong to these numbers, as far as it was confirmed. A fit with it
+  /// begins there.
+  Eigen::VectorXd others;
   /// Expected, and its share of the present cost that goes.
   double cost = 0;
   double fall = 0;
@@ -31,6 +34,8 @@ struct SuggestedAddition {
   double effective = 0;
   /// See CriterionChange(); below 0: it is worth adding.
   double criterion = 0;
+  /// Change of the criterion with it beside those of Suggestions::together; 0 of one that is not among them.
+  double worth = 0;
   /// All that a hundredth changes, the largest first.
   std::vector<MovedParameter> moved;
   /// Places in the list of others that are worth adding and change the residuals alike: correlation above 0.95.

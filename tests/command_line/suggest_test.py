@@ -212,8 +212,8 @@ class Suggest(ProgramTest):
         # As if BIC had spoken against it.
         step = path["steps"][1]
         step |= {"kept": False, "criterion_change": 4.5, "reason": "the criterion does not fall"}
-        names = "added", "mechanism", "elements", "variant", "amount", "count", "parameters", "takes_back", "folder"
-        candidate = {key: step[key] for key in names} | {"effective_residuals": 50.0}
+        candidate = {key: step[key] for key in ("added", "mechanism", "elements", "variant", "amount", "count", "choices",
+                                                "parameters", "takes_back", "folder")} | {"effective_residuals": 50.0}
         path |= {"over": False, "end": None,
                  "round": {"residuals": 100, "tried": 30, "first": 1, "candidates": [candidate]}}
         file.write_text(json.dumps(path))
@@ -270,8 +270,8 @@ class Suggest(ProgramTest):
         names = [parameter["name"] for parameter in one["parameters"]]
         return {"added": one["text"], "mechanism": mechanism, "elements": one["elements"], "variant": 0,
                 "amount": 1 / one["parameters"][0]["value"] if mechanism == "mount" else one["parameters"][0]["value"],
-                "count": len(names), "parameters": names, "takes_back": "", "folder": folder, "cost": result["cost"],
-                "misfit": result["misfit"], "criterion_change": -50.0, "validation_percent": None,
+                "count": len(names), "choices": 1, "parameters": names, "takes_back": "", "folder": folder,
+                "cost": result["cost"], "misfit": result["misfit"], "criterion_change": -50.0, "validation_percent": None,
                 "effective_residuals": said["effective_residuals"], "residuals": said["residuals"], "tried": said["tried"],
                 "at_bound": [], "kept": True, "reason": ""}
 

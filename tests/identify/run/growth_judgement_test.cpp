@@ -65,10 +65,15 @@ TEST(GrowthJudgement, GoesBackWhereADetourLedToNoBetterPrediction) {
 /// Else an addition could come and go for ever.
 TEST(GrowthJudgement, TakesBackWhatItWouldNotAdd) {
   const GrowthStep with{.cost = 100, .effective = 200, .residuals = 50, .tried = 30};
-  for (const double without : {101.0, 107.0, 120.0})
-    EXPECT_EQ(TakeBackChange(with, without, 2) < 0, CriterionChange(without, 100, 50, 200, 2, 30) > 0) << without;
-  EXPECT_LT(TakeBackChange(with, 101, 2), 0);
-  EXPECT_GT(TakeBackChange(with, 120, 2), 0);
+  for (const int choices : {1, 2})
+    for (const double without : {101.0, 107.0, 112.0, 120.0})
+      EXPECT_EQ(TakeBackChange(with, without, {.count = 2, .choices = choices}) < 0,
+                CriterionChange(without, 100, 50, 200, 2, 30, choices) > 0)
+          << without;
+  EXPECT_LT(TakeBackChange(with, 101, {.count = 2}), 0);
+  EXPECT_GT(TakeBackChange(with, 120, {.count = 2}), 0);
+  // What two choices bring goes more easily than what one brings.
+  EXPECT_LT(TakeBackChange(with, 112, {.count = 2, .choices = 2}), 0);
 }
 
 }  // namespace

@@ -28,13 +28,14 @@ GrowthPath Path() {
                  .criterion = 4,
                  .at_bound = {"v"},
                  .reason = "dear"}};
-  path.round = GrowthRound{.candidates = {{.addition = {.words = "friction"}, .folder = "steps/2"},
-                                          {.addition = {.words = "gas", .count = 2, .parameters = {"v", "c"}},
-                                           .folder = "steps/3",
-                                           .effective = 40.5}},
-                           .residuals = 100,
-                           .tried = 30,
-                           .first = 2};
+  path.round =
+      GrowthRound{.candidates = {{.addition = {.words = "friction"}, .folder = "steps/2"},
+                                 {.addition = {.words = "gas", .count = 2, .choices = 2, .parameters = {"v", "c"}},
+                                  .folder = "steps/3",
+                                  .effective = 40.5}},
+                  .residuals = 100,
+                  .tried = 30,
+                  .first = 2};
   return path;
 }
 

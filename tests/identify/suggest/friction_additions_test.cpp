@@ -132,6 +132,9 @@ TEST(MountAdditions, TakeFrictionAlong) {
   ASSERT_EQ(along.dampers.size(), 1u);
   EXPECT_TRUE(along.dampers[0].series && HasFriction(along.dampers[0]));
   EXPECT_EQ(along.parameters.back().name, found[1].parameters.at(0));
+  // Friction could be moved alone: that is a second choice.
+  EXPECT_EQ(found[0].choices, 1);
+  EXPECT_EQ(found[1].choices, 2);
 }
 
 // A dashpot of its own is no friction alone, and stays where it is.

@@ -137,6 +137,12 @@ TEST(ScoreTest, PromiseIsHalfOfTheLeastThatCanPay) {
   }
 }
 
+// One of m^2 pairs.
+TEST(ScoreTest, EachChoiceIsOneOfAllAdditions) {
+  const double one = CriterionChange(500, 400, 400, 400, 1, 100);
+  EXPECT_NEAR(CriterionChange(500, 400, 400, 400, 1, 100, 2), one + 2 * std::log(100), 1e-9);
+}
+
 // A knee acts from 0.3 on: the slope at 0 says nothing of it.
 TEST(ScoreTest, FindsWhatBeginsToActAtSomeAmount) {
   const VectorXd column = White(400, 7);
