@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "analysis/files/inputs_elsewhere.h"
@@ -9,7 +8,9 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/kinematics_text.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/results_line.h"
 #include "identify/inspection/file_kind.h"
+#include "identify/report/kinematics_page.h"
 #include "identify/run/result_kind.h"
 #include "vehicles/loops/mobility.h"
 #include "vehicles/poses/findings.h"
@@ -33,17 +34,20 @@ void WarnOfDeadCentres(const Vehicle& vehicle, const Suspension& suspension, con
                          InMm(travel.reached_upper), InMm(travel.lower), InMm(travel.upper)});
 }
 
-void Write(const std::filesystem::path& folder, const std::string& json, const Vehicle& vehicle,
-           const Suspension& suspension, const std::vector<AxleKinematics>& axles) {
+void Write(const std::filesystem::path& folder, const std::string& json, SuspensionRig& rig,
+           const std::vector<AxleKinematics>& axles, const Diagnostics& findings) {
+  const Suspension& suspension = rig.suspension();
   OutputFolder output(folder);
   output.Add("wheels.csv", WheelsCsv(suspension, axles));
   output.Add("ratios.csv", RatiosCsv(suspension, axles));
   output.Add("compliance.csv", ComplianceCsv(suspension, axles));
   for (const AxleKinematics& kinematics : axles)
-    output.Add("axle_" + std::to_string(kinematics.axle + 1) + ".svg", KinematicsSvg(vehicle, suspension, kinematics));
+    output.Add("axle_" + std::to_string(kinematics.axle + 1) + ".svg",
+               KinematicsSvg(rig.vehicle(), suspension, kinematics));
+  output.Add(kPageName, KinematicsPage(rig, axles, findings));
   output.Add("result.json", json);
   output.Commit();
-  std::fprintf(stderr, "results: %s\n", folder.string().c_str());
+  PrintResultsLine(folder);
 }
 
 }  // namespace
@@ -71,7 +75,7 @@ int Run(const KinematicsCommand& command) {
   WarnOfDeadCentres(vehicle, rig.suspension(), axles, findings);
   Tell(findings);
   const std::string json = KinematicsJson(vehicle, rig.suspension(), axles, findings);
-  if (!command.output.empty()) Write(command.output, json, vehicle, rig.suspension(), axles);
+  if (!command.output.empty()) Write(command.output, json, rig, axles, findings);
   if (command.json) Print(json);
   else PrintText(KinematicsText(rig.suspension(), axles));
   return kGood;

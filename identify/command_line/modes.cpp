@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -12,7 +11,9 @@
 #include "identify/command_line/modes_text.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/command_line/results_line.h"
 #include "identify/inspection/file_kind.h"
+#include "identify/report/modes_page.h"
 #include "identify/run/result_kind.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/influence_files.h"
@@ -72,22 +73,32 @@ void WarnOfGrowth(const Vehicle& vehicle, const std::vector<PolePaths>& paths, D
   }
 }
 
-void Write(const std::filesystem::path& folder, const std::string& json, const Vehicle& vehicle,
+void Write(const std::filesystem::path& folder, const std::string& json, const ModesJob& job,
            const CondensedModel& model, const std::vector<PolePaths>& paths) {
+  const Vehicle& vehicle = job.vehicle;
+  const bool is_read = !vehicle.sensors.empty() && !vehicle.posts.empty();
+  ModesAnswer shown{
+      .file = VehicleTextWithValues(vehicle, vehicle.ParameterValues(), std::filesystem::absolute(folder)),
+      .impulse = {},
+      .influences = {},
+      .findings = job.findings};
   OutputFolder output(folder);
-  if (!vehicle.sensors.empty() && !vehicle.posts.empty()) {
-    ImpulseFiles impulse = ImpulseOf(vehicle, model);
-    output.Add("impulse.csv", impulse.csv);
-    output.Add("impulse.svg", impulse.svg);
-    for (const PolePaths& traced : paths)
-      output.Add("bode_" + vehicle.parameters[traced.parameter].name + ".svg", InfluenceSvg(vehicle, traced));
+  if (is_read) {
+    shown.impulse = ImpulseOf(vehicle, model);
+    output.Add("impulse.csv", shown.impulse.csv);
+    output.Add("impulse.svg", shown.impulse.svg);
   }
   if (!paths.empty()) output.Add("poles.csv", PolesCsv(vehicle, paths));
-  for (const PolePaths& traced : paths)
-    output.Add("poles_" + vehicle.parameters[traced.parameter].name + ".svg", PolesSvg(vehicle, traced));
+  for (const PolePaths& traced : paths) {
+    const std::string& name = vehicle.parameters[traced.parameter].name;
+    shown.influences.push_back({name, PolesSvg(vehicle, traced), is_read ? InfluenceSvg(vehicle, traced) : ""});
+    output.Add("poles_" + name + ".svg", shown.influences.back().poles_svg);
+    if (is_read) output.Add("bode_" + name + ".svg", shown.influences.back().responses_svg);
+  }
+  output.Add(kPageName, ModesPage(vehicle, shown));
   output.Add("result.json", json);
   output.Commit();
-  std::fprintf(stderr, "results: %s\n", folder.string().c_str());
+  PrintResultsLine(folder);
 }
 
 }  // namespace
@@ -107,7 +118,7 @@ int Run(const ModesCommand& command) {
   WarnOfGrowth(job.vehicle, paths, job.findings);
   Tell(job.findings);
   const std::string json = ModesJson(job.vehicle, StateSpace(model), modes, paths, job.findings);
-  if (!command.output.empty()) Write(command.output, json, job.vehicle, model, paths);
+  if (!command.output.empty()) Write(command.output, json, job, model, paths);
   if (command.json) Print(json);
   else PrintText(ModesText(job.vehicle, modes, paths));
   return kGood;

@@ -62,7 +62,7 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
           "full, which replaces it where they visibly differ (default)")
       ->transform(EngineOf(kEngines));
   subcommand.add_option("-o,--output", command.output,
-                        "Write response.csv, response.svg and result.json to this folder");
+                        "Write report.html, response.csv, response.svg and result.json to this folder");
   subcommand.add_flag("--json", command.json, "Print JSON");
   subcommand.parse_complete_callback([&command, of_vehicle] {
     for (const CLI::Option* option : of_vehicle)
@@ -78,8 +78,8 @@ void AddOptions(CLI::App& subcommand, ModesCommand& command) {
           "(k=20kN/m:80kN/m:13); may be given several times");
   subcommand.add_option(
       "-o,--output", command.output,
-      "Write impulse.csv, impulse.svg, poles.csv, charts of poles and responses for each parameter, and result.json to "
-      "this folder");
+      "Write report.html, impulse.csv, impulse.svg, poles.csv, charts of poles and responses for each parameter, and "
+      "result.json to this folder");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 
@@ -91,8 +91,8 @@ void AddOptions(CLI::App& subcommand, KinematicsCommand& command) {
                         "the stops begin, 60 mm without a stop");
   subcommand.add_option("--step", command.step, "From one position to the next")->capture_default_str();
   subcommand.add_option("-o,--output", command.output,
-                        "Write wheels.csv, ratios.csv, compliance.csv, a picture of each axle and result.json to this "
-                        "folder");
+                        "Write report.html, wheels.csv, ratios.csv, compliance.csv, a picture of each axle and "
+                        "result.json to this folder");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 

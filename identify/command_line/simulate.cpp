@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
@@ -15,8 +16,12 @@
 #include "identify/command_line/locked_friction.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/results_line.h"
 #include "identify/command_line/solve_history.h"
 #include "identify/inspection/file_kind.h"
+#include "identify/report/simulated_motion.h"
+#include "identify/report/simulation_page.h"
+#include "identify/run/result_kind.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/chosen_sensors.h"
 #include "vehicles/requests/engine_text.h"
@@ -65,15 +70,28 @@ HistoryJob ReadJob(const SimulateCommand& command) {
   return {std::move(*vehicle), std::move(sensors), std::move(drive), std::move(findings)};
 }
 
+/// A folder has no ending.
+bool WritesFolder(const SimulateCommand& command) {
+  return !command.output.empty() && command.output.extension().empty();
+}
+
 void CheckOutputs(const SimulateCommand& command) {
   if (!command.output.empty() && command.output == command.chart) RefuseToWrite(kOutputNamedTwice, command.output);
-  RequireWritable(command.output, {command.model, command.recording});
   RequireWritable(command.chart, {command.model, command.recording});
+  RequireEnding("--chart", command.chart, "a picture", ".svg");
+  if (WritesFolder(command)) {
+    std::vector<fs::path> inputs = {command.model};
+    if (!command.recording.empty()) inputs.push_back(command.recording);
+    RequireInputsElsewhere(inputs, command.output);
+    RequireNoOtherResult(command.output, ResultKind::kSimulation);
+    OutputFolder{command.output};
+    return;
+  }
+  RequireWritable(command.output, {command.model, command.recording});
   if (!command.output.empty() && WriterOf(command.output) == nullptr)
     Refuse(kOutputEnding, Place::Option("--output"),
-           {command.output.string(), "a time history", ".csv, .uff, .rsp or .drv",
+           {command.output.string(), "a time history", ".csv, .uff, .rsp or .drv, or to a folder without an ending",
             fs::path(command.output).replace_extension(".csv").string()});
-  RequireEnding("--chart", command.chart, "a picture", ".svg");
 }
 
 /// As the rig's acquisition has it; the filter settles during the lead, which goes then.
@@ -116,6 +134,38 @@ void FindWhatIsOdd(const HistoryJob& job, const HistoryOrigin& origin, const Ans
     findings.Report(kLinearKinematicsUnknown, Place::Option("--engine"), {origin.by.not_estimated});
 }
 
+std::string ChartOf(const HistoryJob& job, const HistoryOrigin& origin, const TimeHistory& history,
+                    const std::vector<HistoryChannel>& channels) {
+  return HistorySvg("Time history of " + job.vehicle.name, origin.motion, history.start_s, history.rate_Hz, channels);
+}
+
+/// The full system moves where the reduced one does not: its page has no moving vehicle.
+HistoryMotion MotionOf(const HistoryJob& job, const TimeHistory& history) {
+  try {
+    return SimulatedMotion(job.vehicle, job.drive.motion,
+                           {history.start_s, history.TimeAt(history.size() - 1), 0, job.drive.lead_s});
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+void Write(const SimulateCommand& command, const HistoryJob& job, const HistoryOrigin& origin,
+           const TimeHistory& history, const std::vector<HistoryChannel>& channels) {
+  const SimulationAnswer shown{.origin = origin,
+                               .start_s = history.start_s,
+                               .rate_Hz = history.rate_Hz,
+                               .channels = channels,
+                               .motion = MotionOf(job, history),
+                               .findings = job.findings};
+  OutputFolder output(command.output);
+  output.Add("history.csv", HistoryCsv(history, channels));
+  output.Add("history.svg", ChartOf(job, origin, history, channels));
+  output.Add(kPageName, SimulationPage(job.vehicle, shown));
+  output.Add("result.json", HistoryJson(job.vehicle, origin, history, channels, job.findings));
+  output.Commit();
+  PrintResultsLine(command.output);
+}
+
 /// Two samples make a history.
 bool HasHistory(const SimulateCommand& command, const Drive& drive, const TimeHistory& history) {
   return history.size() >= TimeGrid{drive.start_s, drive.end_s, command.rate_Hz, drive.lead_s}.lead_count() + 2;
@@ -144,10 +194,10 @@ int Run(const SimulateCommand& command) {
     Tell(kHistoryInterrupted, {},
          {Rounded(history.TimeAt(history.size() - 1), 3) + " s", Rounded(job.drive.end_s, 3) + " s"});
   const std::vector<HistoryChannel> channels = ChannelsOf(job.vehicle, history, job.sensors);
-  if (!command.output.empty()) WriteFile(command.output, WriterOf(command.output)(origin.motion, history, channels));
-  if (!command.chart.empty())
-    WriteFile(command.chart, HistorySvg("Time history of " + job.vehicle.name, origin.motion, history.start_s,
-                                        history.rate_Hz, channels));
+  if (WritesFolder(command)) Write(command, job, origin, history, channels);
+  else if (!command.output.empty())
+    WriteFile(command.output, WriterOf(command.output)(origin.motion, history, channels));
+  if (!command.chart.empty()) WriteFile(command.chart, ChartOf(job, origin, history, channels));
   if (command.json) Print(HistoryJson(job.vehicle, origin, history, channels, job.findings));
   else if (command.output.empty()) Print(HistoryCsv(history, channels));
   else PrintText(Text(origin, channels));

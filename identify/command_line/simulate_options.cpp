@@ -53,7 +53,8 @@ void AddOptions(CLI::App& subcommand, SimulateCommand& command) {
   subcommand.add_option(
       "-o,--output", command.output,
       "Write the history here, as CSV, or by the ending as a universal file (.uff), RPC III (.rsp), or "
-      "the posts alone as a drive file (.drv), and print a summary (default: CSV on stdout)");
+      "the posts alone as a drive file (.drv), and print a summary (default: CSV on stdout); a name without an ending "
+      "is a folder for history.csv, history.svg, report.html and result.json");
   subcommand.add_option("--chart", command.chart, "Write a chart of the history here (.svg)");
   subcommand.add_flag("--json", command.json, "Print the summary as JSON instead of CSV or a table");
 }

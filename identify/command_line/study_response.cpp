@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <optional>
 
 #include "analysis/files/inputs_elsewhere.h"
@@ -8,9 +7,13 @@
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/responses.h"
+#include "identify/command_line/results_line.h"
 #include "identify/command_line/work_progress.h"
+#include "identify/report/report_page.h"
 #include "identify/run/result_kind.h"
+#include "identify/study/experiment_kinds.h"
 #include "identify/study/loaded_study.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {
@@ -41,6 +44,23 @@ std::optional<ExperimentResults> Answers(const LoadedStudy& loaded, const Respon
   return all;
 }
 
+void Write(const std::filesystem::path& folder, const std::string& json, const LoadedStudy& loaded,
+           const ExperimentResults& answers) {
+  OutputFolder output(folder);
+  RunContents shown{.files = {{"result.json", json}}, .vehicle = loaded.vehicle, .vehicle_fault = ""};
+  for (const auto& [name, content] : answers.files) {
+    output.Add(name, content);
+    shown.files.emplace(name, content);
+  }
+  shown.files.emplace("study.yaml", loaded.study.text);
+  shown.files.emplace("vehicle.urdf", VehicleTextWithValues(loaded.vehicle, loaded.vehicle.ParameterValues(),
+                                                            std::filesystem::absolute(folder)));
+  output.Add(kPageName, StudyResponsePage(shown, AllExperimentReports()));
+  output.Add("result.json", json);
+  output.Commit();
+  PrintResultsLine(folder);
+}
+
 }  // namespace
 
 int RespondToStudy(const ResponseCommand& command) {
@@ -64,13 +84,7 @@ int RespondToStudy(const ResponseCommand& command) {
   AddKeys(answers->json, json);
   if (!answers->is_whole) json["interrupted"] = true;
   const std::string text = JsonText(json);
-  if (!command.output.empty()) {
-    OutputFolder output(command.output);
-    for (const auto& [name, content] : answers->files) output.Add(name, content);
-    output.Add("result.json", text);
-    output.Commit();
-    std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
-  }
+  if (!command.output.empty()) Write(command.output, text, *loaded, *answers);
   if (command.json) Print(text);
   else PrintText(answers->text);
   return answers->is_whole ? kGood : kInterrupted;

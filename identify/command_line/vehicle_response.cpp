@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <optional>
 
 #include "analysis/files/inputs_elsewhere.h"
@@ -11,7 +10,9 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/response_text.h"
 #include "identify/command_line/responses.h"
+#include "identify/command_line/results_line.h"
 #include "identify/command_line/work_progress.h"
+#include "identify/report/vehicle_page.h"
 #include "identify/run/result_kind.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/parameter_setting.h"
@@ -41,14 +42,20 @@ ResponseJob ReadJob(const ResponseCommand& command) {
   return {std::move(*vehicle), std::move(*request), std::move(findings)};
 }
 
-void Write(const std::filesystem::path& folder, const std::string& json, const Vehicle& vehicle,
+void Write(const std::filesystem::path& folder, const std::string& json, const ResponseJob& job,
            const std::vector<SweptResponse>& responses) {
+  const Vehicle& vehicle = job.vehicle;
   OutputFolder output(folder);
   output.Add("response.csv", SweepCsv(responses));
   output.Add("response.svg", SweepSvg(vehicle.name, responses));
+  output.Add(kPageName, VehiclePage(vehicle, {.facts = {"frequency responses"},
+                                              .file = VehicleTextWithValues(vehicle, vehicle.ParameterValues(),
+                                                                            std::filesystem::absolute(folder)),
+                                              .findings = job.findings,
+                                              .responses = responses}));
   output.Add("result.json", json);
   output.Commit();
-  std::fprintf(stderr, "results: %s\n", folder.string().c_str());
+  PrintResultsLine(folder);
 }
 
 /// How many frequencies have an answer, of how many asked for. Reports of each sweep how many have none.
@@ -112,7 +119,7 @@ int RespondOfVehicle(const ResponseCommand& command) {
   if (Interrupted()) Tell(kResponseInterrupted, {}, {std::to_string(count.answered), std::to_string(count.all)});
   if (responses.empty()) return kInterrupted;
   const std::string json = SweepJson(job.vehicle, job.request, responses, job.findings);
-  if (!command.output.empty()) Write(command.output, json, job.vehicle, responses);
+  if (!command.output.empty()) Write(command.output, json, job, responses);
   if (command.json) Print(json);
   else PrintText(ResponseText(job.request, responses));
   return CodeOf(count);

@@ -73,7 +73,8 @@ int Run(const ViewCommand& command) {
   // At the values of --set, for what the page saves begins with it.
   const std::string saved =
       VehicleTextWithValues(*vehicle, vehicle->ParameterValues(), std::filesystem::absolute(page).parent_path());
-  const std::string text = VehiclePage(saved, *vehicle, responses);
+  const std::string text =
+      VehiclePage(*vehicle, {.facts = {"not fitted"}, .file = saved, .findings = findings, .responses = responses});
   ReplaceFile(page, text);
   if (command.json) Print(JsonText(nlohmann::ordered_json{{"file", page.string()}, {"bytes", text.size()}}));
   else Print(page.string() + '\n');

@@ -92,8 +92,11 @@ std::string Header(const Json& result, const StudyAbout& about) {
   const std::vector<Json> band = ListAt(result, "band_Hz");
   if (band.size() == 2 && band[0].is_number() && band[1].is_number() && band[1] > 0)
     facts.Add(ShownShort(band[0], 3) + "\u2013" + ShownShort(band[1], 3) + " Hz");
-  facts.Add(ShownDecimals(NumberAt(result, "residuals"), 0) + " residuals");
-  facts.Add(ShownDecimals(NumberAt(result.value("evaluations", Json()), "paid"), 0) + " evaluations");
+  const auto add_count = [&](double count, const char* of) {
+    if (!std::isnan(count)) facts.Add(ShownDecimals(count, 0) + of);
+  };
+  add_count(NumberAt(result, "residuals"), " residuals");
+  add_count(NumberAt(result.value("evaluations", Json()), "paid"), " evaluations");
   if (const std::string version = TextAt(result.value("versions", Json()), "fourpost"); !version.empty())
     facts.Add("fourpost " + html::Escaped(version));
   return "<header>\n<h1>" + html::Escaped(TitleOf(result, about)) + "</h1>\n" + Identity(result, about) + facts.Html() +
@@ -177,29 +180,63 @@ std::string Sections(const Parts& parts, const Json& result) {
   return html;
 }
 
+std::string ViewerHtml(const OrderedJson& scene, const std::string& fault) {
+  return html::Section("vehicle", "The vehicle on its posts",
+                       scene.is_null()
+                           ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
+                           : html::Drawn("viewer", "The moving vehicle needs JavaScript."));
+}
+
 std::string Body(const Json& result, const Parts& parts, const OrderedJson& scene, const std::string& scene_fault,
                  const std::string& why_no_deviations) {
   const bool is_shown = scene.is_null() ? IsOnPosts(parts) : !scene["posts"].empty();
-  const std::string viewer =
-      scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
-                      : html::Drawn("viewer", "The moving vehicle needs JavaScript.");
   std::string body;
-  if (is_shown) body += html::Section("vehicle", "The vehicle on its posts", viewer);
+  if (is_shown) body += ViewerHtml(scene, scene_fault);
   body += Sections(parts, result);
   if (const std::string audit = AuditHtml(result); !audit.empty())
     body += html::Section("audit", "Audit of the rig", audit);
   body += Determination(result, why_no_deviations);
-  if (!scene.is_null() && is_shown)
-    body += html::Section("modes", "Modes and poles",
-                          Pair(ModeTableHtml(Json(scene["modes"])) +
-                                   "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n",
-                               html::Drawn("poles")));
+  if (!scene.is_null() && is_shown) body += ModeSectionHtml(Json(scene["modes"]));
   return body + html::Section("search", "Search and refinement",
                               SearchNoteHtml(result) + html::Drawn("convergence") +
                                   Pair(StartTableHtml(result), html::Drawn("agreement")) + SettingsHtml(result));
 }
 
+/// What the scripts draw, with sliders beside responses: `parameters` are the fitted ones.
+OrderedJson DataOf(const Json& result, const Parts& parts, const OrderedJson& scene, const RunContents& run,
+                   const std::vector<ReportedParameter>& parameters) {
+  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}};
+  for (const auto& part : parts) data.update(part->Drawn());
+  const bool is_live = !scene.is_null() && data.contains("responses") && !data["responses"].empty();
+  data["live"] = is_live ? LiveJson(run, parameters) : OrderedJson();
+  return data;
+}
+
+std::string PageOf(const std::string& title, const std::string& body, const OrderedJson& data) {
+  return ReportDocument(
+      title, body, CompactJson(data),
+      {.live = data["live"].is_null() ? "" : kLiveProgram, .draws_vehicle = !data["scene"].is_null()});
+}
+
 }  // namespace
+
+std::string StudyResponsePage(const RunContents& run, ExperimentReports experiments) {
+  Json result = Json::parse(run.files.at("result.json"));
+  result["vehicle"] = run.vehicle->name;
+  result["parameters"] = Json::array();
+  const Parts parts = PartsOf({"", run, result}, experiments);
+  std::string fault;
+  const OrderedJson scene = SceneOf(parts, run, fault);
+  const bool is_shown = scene.is_null() ? IsOnPosts(parts) : !scene["posts"].empty();
+  const StudyAbout about = AboutOf(run);
+  const std::string body = Header(result, about) + "<nav id=\"contents\"></nav>\n<main>\n" +
+                           (is_shown ? ViewerHtml(scene, fault) : "") + Sections(parts, result) +
+                           (is_shown && !scene.is_null() ? ModeSectionHtml(Json(scene["modes"])) : "") + "</main>\n" +
+                           PageFooter("the study and its vehicle, which was not fitted");
+  OrderedJson data = DataOf(result, parts, scene, run, {});
+  data["line"] = "model";
+  return PageOf(TitleOf(result, about) + " \u2013 fourpost", body, data);
+}
 
 std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   const Json result = FitResultOf(run);
@@ -216,15 +253,8 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
       html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
       html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
       Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
-  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}};
-  for (const auto& part : parts) data.update(part->Drawn());
-  // Sliders stand beside responses.
-  const bool is_live = !scene.is_null() && data.contains("responses") && !data["responses"].empty();
-  const OrderedJson live = is_live ? LiveJson(run, parameters) : OrderedJson();
-  data["live"] = live;
-  const std::string text = CompactJson(data);
-  return ReportDocument(TitleOf(result, about) + " \u2013 fourpost report", body, text,
-                        {.live = live.is_null() ? "" : kLiveProgram, .draws_vehicle = !scene.is_null()});
+  return PageOf(TitleOf(result, about) + " \u2013 fourpost report", body,
+                DataOf(result, parts, scene, run, parameters));
 }
 
 }  // namespace fourpost

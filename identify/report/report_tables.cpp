@@ -302,6 +302,13 @@ std::string ModeTableHtml(const Json& modes) {
   return rows.empty() ? "" : html::Table({"mode", "Hz", "damping ratio", "poles, 1/s", "kinetic energy"}, rows);
 }
 
+std::string ModeSectionHtml(const Json& modes) {
+  return html::Section("modes", "Modes and poles",
+                       "<div class=\"pair\"><div>" + ModeTableHtml(modes) +
+                           "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n</div><div>" +
+                           html::Drawn("poles") + "</div></div>\n");
+}
+
 std::string SearchNoteHtml(const Json& result) {
   const Json search = result.value("search", Json::object());
   const std::string algorithm = TextAt(search, "algorithm");

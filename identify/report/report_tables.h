@@ -24,6 +24,9 @@ std::string ChannelTableHtml(const nlohmann::json& result);
 /// `modes`: of SceneJson().
 std::string ModeTableHtml(const nlohmann::json& modes);
 
+/// A section of that table beside the map of the poles.
+std::string ModeSectionHtml(const nlohmann::json& modes);
+
 /// What searched, and what its accelerations and migrations brought; empty for results that do not say.
 std::string SearchNoteHtml(const nlohmann::json& result);
 

@@ -7,6 +7,8 @@
 
 #include "analysis/report/picture_number.h"
 #include "identify/experiments/fit_balance.h"
+#include "identify/report/coordinate_sensors.h"
+#include "identify/report/measured_motion.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/engine/engine.h"
 #include "vehicles/loops/design_kinematics.h"
@@ -140,10 +142,16 @@ OrderedJson BarsJson(const Vehicle& vehicle) {
   return list;
 }
 
-OrderedJson TyresJson(const Vehicle& vehicle) {
+/// `load`: at rest.
+OrderedJson TyresJson(const Vehicle& vehicle, const CondensedModel& model) {
   OrderedJson list = OrderedJson::array();
-  for (const Tyre& tyre : vehicle.tyres)
-    list.push_back({{"name", tyre.name}, {"point", PointJson(tyre.point)}, {"radius", tyre.radius}});
+  for (std::size_t i = 0; i < vehicle.tyres.size(); ++i) {
+    const Tyre& tyre = vehicle.tyres[i];
+    list.push_back({{"name", tyre.name},
+                    {"point", PointJson(tyre.point)},
+                    {"radius", tyre.radius},
+                    {"load", PictureNumber(model.preloads.tyre[i])}});
+  }
   return list;
 }
 
@@ -198,18 +206,6 @@ OrderedJson ModesJson(const Vehicle& vehicle, const Kinematics& pose, const Cond
   return list;
 }
 
-/// The model with its coordinates as sensors.
-CondensedModel WithCoordinatesAsSensors(CondensedModel model) {
-  const Eigen::Index n = model.mass.rows();
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
-  const Eigen::MatrixXd no_post = Eigen::MatrixXd::Zero(n, model.post_stiffness.cols());
-  model.on_position = Eigen::MatrixXd::Identity(n, n);
-  model.on_velocity = model.on_acceleration = none;
-  model.on_post_height = model.on_post_velocity = model.on_post_acceleration = no_post;
-  for (CondensedModel::Liftoff& liftoff : model.liftoffs) liftoff.load_cells.clear();
-  return model;
-}
-
 /// A row per frequency.
 OrderedJson RowsJson(const Eigen::MatrixXcd& rows) {
   OrderedJson list = OrderedJson::array();
@@ -223,8 +219,7 @@ OrderedJson RowsJson(const Eigen::MatrixXcd& rows) {
 OrderedJson MotionsJson(const Vehicle& vehicle, const CondensedModel& model,
                         const std::vector<RecordedMotion>& motions) {
   OrderedJson list = OrderedJson::array();
-  const std::vector<Sensor> coordinates(static_cast<std::size_t>(model.mass.rows()),
-                                        Sensor{.type = Sensor::Type::kDisplacement});
+  const std::vector<Sensor> coordinates = CoordinateSensors(model);
   const CondensedModel seen = WithCoordinatesAsSensors(model);
   for (const RecordedMotion& motion : motions) {
     const FrequencyResponse response = SolveHarmonicBalance(seen, coordinates, motion.excitation, kFitBalance).response;
@@ -291,7 +286,7 @@ OrderedJson SceneJson(const Vehicle& vehicle, const RecordedMotions& motions) {
           {"bushings", LinesJson(vehicle.bushings)},
           {"rods", LinesJson(vehicle.rods)},
           {"bars", BarsJson(vehicle)},
-          {"tyres", TyresJson(vehicle)},
+          {"tyres", TyresJson(vehicle, model)},
           {"posts", PostsJson(vehicle)},
           {"sensors", SensorsJson(vehicle)},
           {"modes", ModesJson(vehicle, pose, model, values)},

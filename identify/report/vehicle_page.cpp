@@ -3,6 +3,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "analysis/files/json_text.h"
@@ -16,6 +18,7 @@
 #include "identify/report/page_footer.h"
 #include "identify/report/report_tables.h"
 #include "identify/report/scene_json.h"
+#include "vehicles/engine/engine.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {
@@ -25,12 +28,23 @@ using OrderedJson = nlohmann::ordered_json;
 using html::NumberCell;
 using html::TextCell;
 
-std::string Header(const Vehicle& vehicle, std::size_t posts) {
-  return "<header>\n<h1>" + html::Escaped(vehicle.name) +
-         "</h1>\n<p class=\"facts\"><span>not fitted</span><span>\u00b7</span>" + "<span>" +
-         std::to_string(vehicle.parameters.size()) + " parameters</span><span>\u00b7</span><span>" +
-         std::to_string(posts) + " posts</span><span>\u00b7</span><span>fourpost " + Versions().front().second +
-         "</span></p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
+std::string Fact(const std::string& text) { return html::Element("span", "", html::Escaped(text)); }
+
+std::string Header(const Vehicle& vehicle, const std::vector<std::string>& facts) {
+  std::string html;
+  for (const std::string& fact : facts) html += Fact(fact) + Fact("\u00b7");
+  return "<header>\n<h1>" + html::Escaped(vehicle.name) + "</h1>\n<p class=\"facts\">" + html +
+         Fact(std::to_string(vehicle.parameters.size()) + " parameters") + Fact("\u00b7") +
+         Fact(std::to_string(vehicle.posts.size()) + " posts") + Fact("\u00b7") +
+         Fact("fourpost " + Versions().front().second) +
+         "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
+}
+
+std::string FindingsHtml(const Diagnostics& findings) {
+  std::string items;
+  for (const Diagnostic& finding : findings.ByWeight())
+    items += html::Element("li", "", html::Escaped(finding.message)) + '\n';
+  return items.empty() ? "" : html::Section("findings", "Findings", "<ul>\n" + items + "</ul>\n");
 }
 
 std::string ParametersHtml(const Vehicle& vehicle) {
@@ -75,37 +89,91 @@ OrderedJson ResponsesJson(const std::vector<SweptResponse>& responses) {
   return list;
 }
 
-RecordedMotions MotionsOf(const std::vector<SweptResponse>& responses) {
-  RecordedMotions motions;
+/// Gains are per metre of the post, those of displacements and accelerations plain ratios.
+std::string GainUnit(const std::string& unit) { return unit == "m" || unit == "m/s^2" ? "1" : ShownUnit(unit + "/m"); }
+
+/// The largest gain of each channel.
+std::string PeaksHtml(const std::vector<SweptResponse>& responses) {
+  std::vector<std::vector<html::Cell>> rows;
   for (const SweptResponse& swept : responses)
+    for (const ChannelResponse& channel : swept.answer.response.channels) {
+      std::size_t peak = 0;
+      double most = NAN;
+      for (std::size_t i = 0; i < channel.response.size(); ++i)
+        if (const double gain = std::abs(channel.response[i]); std::isfinite(gain) && !(gain <= most))
+          std::tie(peak, most) = std::pair(i, gain);
+      rows.push_back({TextCell(swept.mode),
+                      {html::Code(channel.name), ""},
+                      NumberCell(ShownNumber(most, 4)),
+                      TextCell(GainUnit(channel.unit)),
+                      NumberCell(ShownNumber(std::isnan(most) ? NAN : swept.answer.response.frequency_Hz[peak], 3)),
+                      TextCell(EngineName(swept.answer.engine))});
+    }
+  return rows.empty() ? "" : html::Table({"posts", "channel", "largest gain", "unit", "at Hz", "engine"}, rows);
+}
+
+std::string ResponsesHtml(const std::vector<SweptResponse>& responses) {
+  if (responses.empty()) return "";
+  return html::Section("responses", "Frequency responses",
+                       html::Drawn("responses", "The charts need JavaScript; fourpost response prints their numbers.") +
+                           PeaksHtml(responses));
+}
+
+std::string SectionsHtml(const std::vector<ReportSection>& sections) {
+  std::string html;
+  for (const ReportSection& section : sections) html += html::Section(section.id, section.title, section.html);
+  return html;
+}
+
+/// Null, and the reason in `fault`, where the vehicle cannot be shown.
+OrderedJson SceneOf(const Vehicle& vehicle, const VehicleAnswer& answer, std::string& fault) {
+  RecordedMotions motions;
+  for (const SweptResponse& swept : answer.responses)
     motions.steady.push_back({.name = swept.mode, .excitation = swept.excitation, .differences = {}});
-  return motions;
+  motions.over_time = answer.over_time;
+  try {
+    OrderedJson scene = SceneJson(vehicle, motions);
+    scene.update(answer.scene);
+    return scene;
+  } catch (const std::runtime_error& error) {
+    fault = error.what();
+  }
+  return nullptr;
+}
+
+/// The sliders stand beside the responses, where there are some.
+std::string ViewerHtml(const VehicleAnswer& answer, const OrderedJson& scene, const std::string& fault) {
+  const std::string viewer = scene.is_null()
+                                 ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
+                                 : html::Drawn("viewer", "The moving vehicle needs JavaScript.") +
+                                       (answer.responses.empty() ? html::Drawn("sliders") : "");
+  return html::Section("vehicle", "The vehicle on its posts", viewer);
 }
 
 }  // namespace
 
-std::string VehiclePage(const std::string& file, const Vehicle& vehicle, const std::vector<SweptResponse>& responses) {
-  const OrderedJson scene = SceneJson(vehicle, MotionsOf(responses));
-  const RunContents contents{.files = {{"vehicle.urdf", file}}, .vehicle = vehicle, .vehicle_fault = ""};
-  const OrderedJson live = LiveJson(contents, {});
-  const OrderedJson data = {
-      {"result", {{"vehicle", vehicle.name}, {"parameters", OrderedJson::array()}}},
-      {"responses", ResponsesJson(responses)},
-      {"scene", scene},
-      {"live", live},
-  };
+std::string VehiclePage(const Vehicle& vehicle, const VehicleAnswer& answer) {
+  std::string fault;
+  const OrderedJson scene = SceneOf(vehicle, answer, fault);
+  const RunContents contents{.files = {{"vehicle.urdf", answer.file}}, .vehicle = vehicle, .vehicle_fault = ""};
+  const OrderedJson live = answer.file.empty() || scene.is_null() ? OrderedJson() : LiveJson(contents, {});
+  OrderedJson data = {{"result", {{"vehicle", vehicle.name}, {"parameters", OrderedJson::array()}}},
+                      {"line", "model"},
+                      {"responses", ResponsesJson(answer.responses)},
+                      {"curves", CurvesJson(answer.curves)},
+                      {"scene", scene},
+                      {"live", live}};
+  data.update(answer.drawn);
+  const bool has_modes = answer.shows_modes && !scene.is_null();
+  const std::string modes = has_modes ? ModeSectionHtml(nlohmann::json(scene["modes"])) : "";
+  const bool is_of_modes = answer.responses.empty() && answer.before.empty();
   const std::string body =
-      Header(vehicle, vehicle.posts.size()) + "<nav id=\"contents\"></nav>\n<main>\n" +
-      html::Section("vehicle", "The vehicle on its posts",
-                    html::Drawn("viewer", "The moving vehicle needs JavaScript.")) +
-      html::Section("responses", "Frequency responses",
-                    html::Drawn("responses", "The charts need JavaScript; fourpost response prints their numbers.")) +
-      html::Section("modes", "Modes and poles",
-                    "<div class=\"pair\"><div>" + ModeTableHtml(nlohmann::json(scene["modes"])) + "</div><div>" +
-                        html::Drawn("poles") + "</div></div>\n") +
+      Header(vehicle, answer.facts) + "<nav id=\"contents\"></nav>\n<main>\n" + FindingsHtml(answer.findings) +
+      (is_of_modes ? modes : "") + SectionsHtml(answer.before) + ViewerHtml(answer, scene, fault) +
+      ResponsesHtml(answer.responses) + (is_of_modes ? "" : modes) + SectionsHtml(answer.after) +
       html::Section("parameters", "Parameters", ParametersHtml(vehicle)) + "</main>\n" + PageFooter("the vehicle file");
   return ReportDocument(vehicle.name + " \u2013 fourpost", body, CompactJson(data),
-                        {.live = live.is_null() ? "" : kLiveProgram, .draws_vehicle = true});
+                        {.live = live.is_null() ? "" : kLiveProgram, .draws_vehicle = !scene.is_null()});
 }
 
 }  // namespace fourpost

@@ -24,6 +24,7 @@ class Kinematics(ProgramTest):
         self.assertAlmostEqual(float(heave[-1]["track_mm"]), 1000 * track, places=9)
         for name in ("axle_1.svg", "axle_2.svg"):
             xml.etree.ElementTree.parse(self.folder / "kc" / name)
+        self.assertTrue((self.folder / "kc/report.html").read_text().startswith("<!doctype html>"))
         self.assertEqual((self.folder / "kc/compliance.csv").read_text().count("\n"), 1)
 
     def test_marks_rows_beyond_stops(self):

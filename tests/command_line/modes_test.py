@@ -44,6 +44,7 @@ class Modes(ProgramTest):
         for picture in ("bode_k.svg", "bode_c_bump.svg", "impulse.svg"):
             self.assertTrue(self.read(f"result/{picture}").startswith("<svg"), picture)
         self.assertTrue(self.read("result/impulse.csv").startswith("time,"))
+        self.assertTrue(self.read("result/report.html").startswith("<!doctype html>"))
         for picture in ("poles_k.svg", "poles_c_bump.svg"):
             self.assertIn(">wheel hop<", self.read(f"result/{picture}"), picture)
         stiffness, damping = json.loads(self.read("result/result.json"))["pole_paths"]

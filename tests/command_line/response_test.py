@@ -38,7 +38,7 @@ class ResponseTest(ProgramTest):
 class Response(ResponseTest):
     def test_is_a_table_and_a_folder(self):
         outcome = self.respond(CAR, "--frequencies 0.5Hz:20Hz:30 -o result")
-        self.assertEqual(outcome.stderr, "results: result\n")
+        self.assertEqual(outcome.stderr, "results: result; open result/report.html\n")
         for part in ("heave: 30 frequencies from 0.5", "swept up, engine reduced\n",
                      "at most 12 mm, 0.15 m/s, 6 m/s^2\n", "linear kinematics are off by at most", "a_sprung",
                      "F_tyre"):
@@ -84,7 +84,7 @@ class Response(ResponseTest):
     def test_of_a_study_writes_a_folder_too(self):
         self.copy("studies/landrover110")
         self.respond(STUDY, "-o result")
-        for file in ("response.csv", "response.svg", "result.json"):
+        for file in ("response.csv", "response.svg", "report.html", "result.json"):
             self.assertTrue((self.folder / "result" / file).exists(), file)
 
 

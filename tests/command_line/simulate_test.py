@@ -137,6 +137,22 @@ class Simulate(SimulateTest):
         fast = self.simulated(CAR, "--sine 10Hz --acceleration 0.5g --duration 4s --rate 2000Hz")
         self.assertAlmostEqual(fast["channels"][0]["peak"], 0.5 * 9.80665 / (20 * math.pi)**2, delta=1e-5)
 
+    def test_writes_a_folder_where_the_name_has_no_ending(self):
+        options = "--sine 2Hz --amplitude 5mm --duration 2s --rate 200Hz"
+        outcome = self.simulate(CAR, options, "-o run --chart chart.svg")
+        self.assertEqual(outcome.stderr, "results: run; open run/report.html\n")
+        self.simulate(CAR, options, "-o history.csv")
+        self.assertEqual(self.read("run/history.csv"), self.read("history.csv"))
+        self.assertEqual(self.read("run/history.svg"), self.read("chart.svg"))
+        self.assertEqual(json.loads(self.read("run/result.json"))["samples"], 401)
+        self.assertTrue(self.read("run/report.html").startswith("<!doctype html>"))
+        self.simulate(CAR, options, "-o run")
+        # Results of other commands stay, and so do inputs.
+        self.run_program("modes", CAR, "-o", "modes")
+        self.assertIn("modes", self.errors(CAR, options, "-o modes", code=5))
+        self.assertIn("simulate", self.run_program("modes", CAR, "-o", "run", code=5).stderr)
+        self.errors(CAR, options, "-o urdf", code=5)
+
     def test_keeps_to_the_stroke_of_the_file(self):
         self.replace_in(CAR, 'under="tyre"', 'under="tyre" stroke="20 mm"')
         self.assertIn("fp:post 'post' reaches 10 mm up and down, but this motion needs 12 mm",

@@ -8,7 +8,9 @@ import { root } from './browser.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', name)).href);
 const { extent, fixed, logTicks, multiples, niceStep, shown } = await source('number.js');
-const { between, coordinatesAt, framesOf, greatestMotion, greatestOf, linkMotion, phasors } = await source('viewer/motion.js');
+const { between, coordinatesAt, framesOf, greatestMotion, greatestOf, linkMotion, phasors, stationAt } = await source('viewer/motion.js');
+const { forcesOf } = await source('viewer/forces.js');
+const { plainColour } = await source('standing.js');
 const { movePlayhead, onPlayhead, playhead } = await source('playhead.js');
 const { runLine } = await source('theme.js');
 
@@ -323,5 +325,50 @@ describe('another report', () => {
     assert.equal(sharedWith([channel], [{ ...channel, recording: 'pitch' }]).size, 0);
     assert.throws(() => dataOf('<html>'), /no page of fourpost/);
     assert.throws(() => dataOf(page([])), /no frequency responses/);
+  });
+});
+
+describe('a saved picture', () => {
+  test('has colours that every viewer reads', () => {
+    assert.deepEqual(plainColour('rgb(213, 94, 0)'), { colour: '#d55e00', opacity: 1 });
+    assert.deepEqual(plainColour('rgba(20, 40, 60, 0.05)'), { colour: '#14283c', opacity: 0.05 });
+    // What browsers make of color-mix().
+    assert.deepEqual(plainColour('color(srgb 1 0.5 0 / 0.25)'), { colour: '#ff8000', opacity: 0.25 });
+    for (const text of ['none', '#d55e00', 'url(#clip1)', '']) assert.equal(plainColour(text), null);
+  });
+});
+
+describe('a travel', () => {
+  const at = (travel, angle) => ({ travel, posts: [travel, 0], links: [[0, 1, travel, 0, 0, Math.sin(angle / 2), Math.cos(angle / 2)]] });
+  // The last quaternion is that of the same turn with the other sign.
+  const motion = { stations: [at(-0.1, 0), at(0, 0.2), { ...at(0.1, 0.4), links: [at(0.1, 0.4).links[0].map((value, i) => (i > 2 ? -value : value))] }] };
+
+  test('goes through its stations and between them', () => {
+    for (const [where, travel, angle] of [[0, -0.1, 0], [1, 0, 0.2], [1.5, 0.05, 0.3], [2, 0.1, 0.4]]) {
+      const { links, posts, travel: now } = stationAt(motion, where);
+      const [x, y, z, w] = links[0].turn;
+      assert.ok(Math.abs(now - travel) < 1e-12 && Math.abs(posts[0] - travel) < 1e-12 && Math.abs(links[0].place[2] - travel) < 1e-12);
+      // The mean of two turns by 0.1 is off by less than its square.
+      assert.ok(Math.abs(2 * Math.atan2(z * Math.sign(w), Math.abs(w)) - angle) < 1e-3 && x === 0 && y === 0, `${where}`);
+    }
+  });
+});
+
+describe('forces of tyres', () => {
+  const scene = {
+    tyres: [{ name: 'front', load: 4000 }, { name: 'rear', load: 5000 }],
+    sensors: [{ name: 'a', type: 'accelerometer' }, { name: 'F', type: 'load cell', tyre: 1 }, { name: 'F_pan', type: 'load cell', tyre: 1 }],
+  };
+
+  test('are those at rest and what load cells read', async () => {
+    const time = [0, 0.1, 0.3];
+    const recording = { recording: 'r', columns: [{ name: 'time', unit: 's', values: time }, { name: 'F_modelled', unit: 'N', values: [0, 1000, -5000] }] };
+    const shares = await forcesOf(scene, recording);
+    assert.deepEqual(shares(0), [null, 1]);
+    assert.deepEqual(shares(0.05), [null, 1.1]);
+    assert.deepEqual(shares(0.3), [null, 0]);
+    assert.deepEqual(shares(9), [null, 0]);
+    assert.equal(await forcesOf(scene, undefined), null);
+    assert.equal(await forcesOf({ ...scene, sensors: [] }, recording), null);
   });
 });

@@ -7,6 +7,7 @@ import { faultsOf } from './axe.mjs';
 import { launch, open } from './browser.mjs';
 import { coloured, measuredColour, modelColour } from './canvas.mjs';
 import { changed, compared, fitted, fourpost, scratch } from './runs.mjs';
+import { alone, saved } from './standing.mjs';
 
 let browser;
 let run;
@@ -111,24 +112,55 @@ describe('charts', () => {
     await page.context().close();
   });
 
-  test('are saved as PNG and SVG', async () => {
+  test('are saved as PNG, and as SVG that stands alone', async () => {
     const page = await open(browser, report);
-    const chart = page.locator('#responses .chart').first();
-    const save = async (kind) => {
-      await chart.locator('.menu summary').click();
-      return downloaded(page, () => chart.locator('.menu button', { hasText: kind }).click());
-    };
-    const { name, bytes } = await save('SVG');
-    const text = bytes.toString();
+    const menu = page.locator('#responses .chart').first().locator('.menu');
+    const { name, bytes } = await saved(page, menu, 'SVG');
     assert.equal(name, 'bounce_a_body_front.svg');
-    // As vectors, with its words; no colour is left to a page that is not there.
-    assert.match(text, /^<svg /);
-    assert.doesNotMatch(text, /<image|var\(--/);
-    for (const words of ['bounce a_body_front', 'measured', 'gain, dB']) assert.ok(text.includes(`>${words}<`), words);
-    assert.ok((text.match(/<path/g) ?? []).length > 20);
-    const png = await save('PNG');
+    const { words, coloured: pixels } = await alone(browser, bytes);
+    for (const said of ['bounce a_body_front', 'measured', 'fit', 'gain, dB, over Hz']) assert.ok(words.includes(said), said);
+    assert.ok((bytes.toString().match(/<path/g) ?? []).length > 20, 'as vectors');
+    // As many dots and lines as on the page, which is of the same size.
+    const canvases = page.locator('#responses .chart').first().locator('canvas');
+    for (const [colour, least] of [[measuredColour, 400], [modelColour, 300]]) {
+      const shown = (await Promise.all([0, 1, 2].map((i) => coloured(canvases.nth(i), colour)))).reduce((a, b) => a + b);
+      const drawn = pixels(colour);
+      assert.ok(drawn > least && drawn > 0.5 * shown && drawn < 2 * shown, `${drawn} for ${shown} of ${colour}`);
+    }
+    const png = await saved(page, menu, 'PNG');
     assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG');
     assert.ok(png.bytes.length > 20_000);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('in the dark are saved on a ground of their own', async () => {
+    const page = await open(browser, report, { dark: true });
+    const { bytes } = await saved(page, page.locator('#responses .chart').first().locator('.menu'), 'SVG');
+    const { coloured: pixels } = await alone(browser, bytes);
+    assert.ok(pixels([0x14, 0x18, 0x1b]) > 40_000);
+    await page.context().close();
+  });
+
+  test('that are drawn otherwise are saved likewise, with their numbers', async () => {
+    const page = await open(browser, report);
+    const result = JSON.parse(readFileSync(join(run, 'result.json'), 'utf8'));
+    const names = result.parameters.map(({ name }) => name);
+    for (const [place, file, rows, told] of [
+      ['#modes', 'pole_map', 4, ['heave', 'pitch', 'real part, 1/s']],
+      ['#determination', 'correlations', names.length, names],
+      ['#summary .maps > div:first-child', 'residuals_of_bounce', null, ['residuals of bounce', 'a_body_front']],
+    ]) {
+      const menu = page.locator(`${place} .menu`).first();
+      const picture = await saved(page, menu, 'SVG');
+      assert.equal(picture.name, `${file}.svg`);
+      const { words } = await alone(browser, picture.bytes);
+      for (const said of told) assert.ok(words.includes(said), `${said} of ${file}: ${words}`);
+      const table = await saved(page, menu, 'CSV');
+      const lines = table.bytes.toString().trim().split('\n');
+      if (rows) assert.equal(lines.length, rows + 1, `${file}: ${lines[0]}`);
+      assert.ok(lines.length > 4 && lines.every((line) => line.split(',').length === lines[0].split(',').length));
+    }
     assert.deepEqual(page.faults, []);
     await page.context().close();
   });

@@ -123,10 +123,12 @@ ImpulseFiles ImpulseOf(const Vehicle& vehicle, const CondensedModel& model) {
     csv.Add(static_cast<double>(k) / kRate_Hz);
     for (const HistoryChannel& channel : channels) csv.Add(channel.values[k]);
   }
-  return {.csv = csv.text(),
-          .svg = HistorySvg("Impulse response of " + vehicle.name,
-                            "after an impulse of 1 mm s of all posts, dashpots at their mean rates", 0, kRate_Hz,
-                            channels)};
+  return {
+      .csv = csv.text(),
+      .svg = HistorySvg("Impulse response of " + vehicle.name,
+                        "after an impulse of 1 mm s of all posts, dashpots at their mean rates", 0, kRate_Hz, channels),
+      .rate_Hz = kRate_Hz,
+      .channels = channels};
 }
 
 }  // namespace fourpost

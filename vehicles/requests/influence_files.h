@@ -5,6 +5,7 @@
 
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/description/vehicle.h"
+#include "vehicles/requests/history_channel.h"
 #include "vehicles/ride/pole_path.h"
 
 namespace fourpost {
@@ -19,6 +20,9 @@ std::string InfluenceSvg(const Vehicle& vehicle, const PolePaths& paths);
 struct ImpulseFiles {
   std::string csv;
   std::string svg;
+  /// What they show, from the impulse on.
+  double rate_Hz = 0;
+  std::vector<HistoryChannel> channels;
 };
 
 /// Until the slowest mode has settled, at most five seconds.

@@ -3,6 +3,7 @@ import { chart, curve, linearAxis } from './chart.js';
 import { choice, el } from './dom.js';
 import { drawEquivalents } from './damper_map.js';
 import { legend } from './legend.js';
+import { fit } from './line_name.js';
 import { extent, listOf, shown } from './number.js';
 import { unpackedRecordings } from './packed_columns.js';
 import { inAddress, putInAddress } from './address.js';
@@ -53,7 +54,7 @@ export function xy(place, title, recordings, across, factor, label) {
   const card = el('div', { class: 'chart' }, head, box);
   const series = parts.flatMap((part) => [
     { label: parts.length > 1 ? `measured ${part.name}` : 'measured', points: [part.x, part.measured], colour: part.ink ?? 'measured', width: part.ink ? 4 : 1.4 },
-    ...part.lines.map(({ label, colour, dash, width, values }) => ({ label: `${label ?? 'fit'}${parts.length > 1 ? ` ${part.name}` : ''}`, points: [part.x, values], colour, dash, width: width ?? 1.2 })),
+    ...part.lines.map(({ label, colour, dash, width, values }) => ({ label: `${label ?? fit}${parts.length > 1 ? ` ${part.name}` : ''}`, points: [part.x, values], colour, dash, width: width ?? 1.2 })),
   ]);
   // Over speed the peaks of the cycles are what damper sheets list.
   const peaks = across === 'speed_mps' ? parts.filter((part) => part.displacement && !part.ink).map((part) => peaksOf(part.displacement, part.x, part.measured)) : [];
@@ -111,7 +112,7 @@ export function xy(place, title, recordings, across, factor, label) {
           cursor: { show: false },
         }),
         [null, ...series.map((one) => one.points)],
-        { name: `force over ${across === 'speed_mps' ? 'speed' : 'displacement'}`, unit: 'N' },
+        { name: `force over ${across === 'speed_mps' ? 'speed' : 'displacement'}`, unit: 'N', x: [across === 'speed_mps' ? 'speed' : 'displacement', label] },
       );
       head.append(tools(card, `${title} ${parts.map(({ name }) => name).join(' ')}`.slice(0, 80), [state]));
     },
@@ -121,7 +122,7 @@ export function xy(place, title, recordings, across, factor, label) {
 /** Force over the time of one recording. */
 export function overTime(place, recording) {
   const [time, measured] = ['time_s', 'measured_N'].map((name) => column(recording, name));
-  const lines = recording.lines ?? [{ label: 'fit', colour: 'model', values: column(recording, 'modelled_N') ?? time?.map(() => null) }];
+  const lines = recording.lines ?? [{ label: fit, colour: 'model', values: column(recording, 'modelled_N') ?? time?.map(() => null) }];
   if (!time || !measured) return null;
   const [box, below] = [el('div'), el('div')];
   const head = el('h3', {}, 'Force over time', el('span', {}, 'N over s'));
@@ -139,7 +140,7 @@ export function overTime(place, recording) {
         cursor,
       }),
       [time, measured, ...lines.map((line) => line.values)],
-      { name: `force of ${recording.recording} over time`, unit: 'N' },
+      { name: `force of ${recording.recording} over time`, unit: 'N', x: ['time', 's'] },
     );
     const strip = lines.length === 1 ? timeStrip(below, { name: 'force', unit: 'N', time, measured, line: lines[0], half: column(recording, 'half_95_measured_N') }, { cursor, size: 54 }) : null;
     head.append(tools(card, `force ${recording.recording}`, [state, strip].filter((one) => one)));
@@ -194,7 +195,7 @@ export async function drawBench(place, data) {
     select.value = first;
     place.append(el('div', { class: 'controls' }, el('label', {}, 'recording', select), misfit));
   }
-  place.append(legend(['line', 'measured', 'measured'], ['dot', 'measured', 'peaks of a cycle'], ['line', 'model', 'fit']), charts, cycles);
+  place.append(legend(['line', 'measured', 'measured'], ['dot', 'measured', 'peaks of a cycle'], ['line', 'model', fit]), charts, cycles);
   redraw(first);
   const rows = bench.reduce((sum, recording) => sum + recording.rows, 0);
   const shownRows = bench.reduce((sum, recording) => sum + recording.shown_rows, 0);

@@ -160,6 +160,7 @@ export function area(low, high, colour, alpha) {
 
 export const dots = (label, colour = 'measured') => ({
   label,
+  isDots: true,
   stroke: () => colours()[colour],
   paths: () => null,
   points: { show: true, size: 4.5, width: 0, fill: () => colours()[colour], stroke: () => colours()[colour] },
@@ -225,7 +226,7 @@ export const chartsIn = (place) => [place, ...place.querySelectorAll('div')].map
 
 /**
  * A chart as wide as its place. `options`: of uPlot, made anew by a function, for axes take the page's colours.
- * `about`: {name, unit}, what its ordinate is. Redrawn when the theme changes; on paper drawn as vectors.
+ * `about`: {name, unit, x: [name, unit]}, what its ordinate is, and its abscissa. Redrawn when the theme changes; on paper drawn as vectors.
  */
 export function chart(place, height, options, data, about) {
   const width = () => Math.max(160, Math.floor(place.clientWidth));

@@ -2,19 +2,22 @@ import { chart, curve, linearAxis, logAxis } from './chart.js';
 import { el } from './dom.js';
 import { legend } from './legend.js';
 import { extent, listOf, shown } from './number.js';
+import { tools } from './tools.js';
 
 function drawLog(place, log) {
   const x = log.map((entry) => entry.evaluations);
   const cost = log.map((entry) => (entry.best_cost > 0 ? entry.best_cost : null));
   const diversity = log.map((entry) => entry.diversity);
-  const box = el('div', { class: 'chart' });
+  const plot = el('div');
+  const head = el('h3', {}, 'Cost and diversity');
+  const box = el('div', { class: 'chart' }, head, plot);
   place.append(
     legend(['line', 'model', 'best cost'], ['dash', 'measured', 'diversity of the population']),
     box,
     el('p', { class: 'note' }, 'Cost (left) and diversity (right) over evaluations of the search.'),
   );
-  chart(
-    box,
+  const state = chart(
+    plot,
     220,
     () => ({
       scales: {
@@ -36,7 +39,9 @@ function drawLog(place, log) {
       cursor: { y: false },
     }),
     [x, cost, diversity],
+    { name: 'best cost and diversity', unit: '', x: ['evaluations', ''] },
   );
+  head.append(tools(box, 'search', [state]));
 }
 
 /** Where each refinement ended, parameter by parameter, between the bounds. */

@@ -1,5 +1,6 @@
 import { el, svg } from './dom.js';
 import { fixed, listOf } from './number.js';
+import { framed } from './tools.js';
 
 /** Orange for +1, blue for -1, the ground for 0. */
 function fill(value) {
@@ -42,6 +43,6 @@ export function drawCorrelation(place, data) {
   }
   place.append(
     el('p', { class: 'note' }, 'Correlations of the fitted parameters: near +1 or \u22121 the data determine a combination of the two, not each.'),
-    el('div', { class: 'picture' }, picture),
+    framed('correlations', picture, () => [{ name: 'parameter', values: names }, ...names.map((name, j) => ({ name, values: matrix.map((row) => row[j]) }))]),
   );
 }

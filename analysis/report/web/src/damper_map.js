@@ -1,6 +1,7 @@
 import { el, svg } from './dom.js';
 import { listOf, shown } from './number.js';
 import { axesOf, mark, path, rangeAround } from './svg_plot.js';
+import { still, tools } from './tools.js';
 
 /** Cycles of all recordings, each as an object. */
 function cyclesOf(equivalents) {
@@ -25,8 +26,17 @@ const quantities = {
   work: ['Work of a cycle', 'J'],
 };
 
-function box(title, unit, picture) {
-  return el('div', { class: 'chart' }, el('h3', {}, title, el('span', {}, unit)), el('div', { class: 'picture' }, picture));
+/** `further`: columns of its numbers beside recording, frequency and amplitude of each cycle. */
+function box(title, unit, picture, cycles, further) {
+  const frame = el('div', { class: 'chart' });
+  const columns = () => [
+    { name: 'recording', values: cycles.map(({ recording }) => recording) },
+    { name: 'frequency [Hz]', values: cycles.map(({ frequency }) => frequency) },
+    { name: 'amplitude [mm]', values: cycles.map(({ amplitude }) => amplitude) },
+    ...further,
+  ];
+  frame.append(el('h3', {}, title, el('span', {}, unit), tools(frame, title, [still(picture, columns)])), el('div', { class: 'picture' }, picture));
+  return frame;
 }
 
 /** A quantity of each cycle over frequency, measured and modelled; those of other recordings than `name` are pale. */
@@ -46,7 +56,7 @@ function overFrequency(cycles, quantity, width, name) {
     const marks = svg('g', { opacity: !name || cycle.recording === name ? 1 : 0.25 }, path([a, b], { colour: 'var(--muted)', width: 0.8 }), mark(a, { colour: 'var(--measured)', words }), mark(b, { colour: 'var(--model)', ring: true, radius: 3.5, words }));
     picture[cycle.recording === name ? 'append' : 'prepend'](marks);
   }
-  return box(title, `${unit} over Hz`, picture);
+  return box(title, `${unit} over Hz`, picture, cycles, ['measured', 'modelled'].map((kind, k) => ({ name: `${kind} [${unit}]`, values: of(k) })));
 }
 
 /** Error of a cycle: the model's dynamic force, with its phase, less the measured one, as a share of that. */
@@ -74,7 +84,7 @@ function errorMap(cycles, width, choose) {
     const words = `${cycle.recording}: ${shown(cycle.frequency, 3)} Hz, ${shown(cycle.amplitude, 3)} mm: off by ${shown(100 * error, 2)} %`;
     picture.append(mark(at(cycle.frequency, cycle.amplitude), { colour: `color-mix(in srgb, var(--poor) ${strength}%, var(--good))`, radius: 3 + 9 * Math.min(1, error / 0.3), words, onclick: () => choose(cycle.recording) }));
   }
-  return box('Error of the force', '%, area and hue, by mm over Hz', picture);
+  return box('Error of the force', '%, area and hue, by mm over Hz', picture, cycles, [{ name: 'error [%]', values: cycles.map((cycle) => 100 * errorOf(cycle)) }]);
 }
 
 /** Equivalents of a damper's cycles, those of recording `name` before the others; `choose`: shows a recording. */

@@ -2,6 +2,7 @@ import uPlot from 'uplot';
 import { chart, curve, linearAxis } from './chart.js';
 import { choice, el } from './dom.js';
 import { legend } from './legend.js';
+import { fit } from './line_name.js';
 import { extent, fixed, listOf, shown } from './number.js';
 import { inAddress, putInAddress } from './address.js';
 import { unpackedRecordings } from './packed_columns.js';
@@ -26,7 +27,7 @@ export function channelsOf(recording) {
     if (!channels.has(name)) channels.set(name, { name, unit });
     channels.get(name)[kind] = column.values.map((value) => (value == null ? null : factor * value));
   }
-  return [...channels.values()].map(({ modelled, ...channel }) => ({ ...channel, lines: [{ label: 'fit', colour: 'model', values: modelled }] }));
+  return [...channels.values()].map(({ modelled, ...channel }) => ({ ...channel, lines: [{ label: fit, colour: 'model', values: modelled }] }));
 }
 
 /** A chart of a channel: `measured` and `lines` (label, colour, values) over time; of one line its residual below. */
@@ -43,7 +44,7 @@ export function card(recording, channel, time, misfit, sync) {
     setCursor: [
       (u) => {
         const i = u.cursor.idx;
-        reading.textContent = i == null ? '' : `${fixed(time[i], 3)} s: model ${data.slice(2).map((values) => shown(values[i], 4)).join(' / ')}; measured ${shown(data[1][i], 4)}`;
+        reading.textContent = i == null ? '' : `${fixed(time[i], 3)} s: model ${data.slice(2).map((values) => shown(values[i], 4)).join(' / ')}${channel.measured ? `; measured ${shown(data[1][i], 4)}` : ''}`;
       },
     ],
   };
@@ -61,7 +62,7 @@ export function card(recording, channel, time, misfit, sync) {
         hooks,
       }),
       data,
-      { name: `${channel.name} of ${recording} over time`, unit: channel.unit },
+      { name: `${channel.name} of ${recording} over time`, unit: channel.unit, x: ['time', 's'] },
     );
     const strip = hasStrip ? timeStrip(below, { ...channel, time, line: channel.lines[0] }, { cursor, hooks }) : null;
     const states = [state, strip].filter((one) => one);
@@ -71,13 +72,14 @@ export function card(recording, channel, time, misfit, sync) {
   return { box, draw };
 }
 
-/** The stretch of time, an eighth or at most 2 s, about the largest measured value over its own rms. */
+/** The stretch of time, an eighth or at most 2 s, about the largest measured, or else modelled, value over its own rms. */
 export function busiest(time, channels) {
   let best = [0, 0];
-  for (const { measured } of channels) {
-    if (!measured) continue;
-    const rms = Math.sqrt(measured.reduce((sum, value) => sum + (value ?? 0) ** 2, 0) / measured.length) || 1;
-    measured.forEach((value, i) => {
+  for (const { measured, lines } of channels) {
+    const values = measured ?? lines?.[0].values;
+    if (!values) continue;
+    const rms = Math.sqrt(values.reduce((sum, value) => sum + (value ?? 0) ** 2, 0) / values.length) || 1;
+    values.forEach((value, i) => {
       if (Math.abs(value ?? 0) / rms > best[0]) best = [Math.abs(value) / rms, i];
     });
   }
@@ -91,6 +93,7 @@ export function busiest(time, channels) {
 export async function drawHistories(place, data) {
   const unseen = listOf(data.validation);
   const recordings = [...data.histories, ...unseen];
+  const isMeasured = recordings.some(({ columns }) => columns.some(({ name }) => name.endsWith('_measured')));
   const charts = el('div', { class: 'charts wide' });
   const note = el('p', { class: 'note' });
   const known = ['all', 'close', 'spectra'];
@@ -122,7 +125,10 @@ export async function drawHistories(place, data) {
     show();
     const { rows, shown_rows: drawn } = recording;
     const thinned = drawn < rows ? `${drawn} of ${rows} samples are shown, the extremes of each interval.` : `All ${rows} samples.`;
-    note.textContent = `${recording.recording}: ${unseen.includes(packed) ? 'validation, not fitted' : 'fitted'}. ${isSpectra ? 'Power spectra over Hz, by windows that overlap by half, dashed that of the difference; below them the coherence of model and measurement' : 'Over time in s; below each chart what the model differs by'}. Drag to zoom all charts, double-click to reset. ${thinned}`;
+    const use = !isMeasured ? 'simulated' : unseen.includes(packed) ? 'validation, not fitted' : 'fitted';
+    const spectra = `Power spectra over Hz, by windows that overlap by half${isMeasured ? ', dashed that of the difference; below them the coherence of model and measurement' : ''}`;
+    const history = `Over time in s${isMeasured ? '; below each chart what the model differs by' : ''}`;
+    note.textContent = `${recording.recording}: ${use}. ${isSpectra ? spectra : history}. Drag to zoom all charts, double-click to reset. ${thinned}`;
   };
   const names = recordings.map((recording) => recording.recording);
   const first = names.includes(inAddress('history')) ? inAddress('history') : names[0];
@@ -145,7 +151,7 @@ export async function drawHistories(place, data) {
       }),
     ),
   );
-  place.append(legend(['line', 'measured', 'measured'], ['line', 'model', unseen.length ? 'model' : 'fit']), note, charts);
+  place.append(legend(...(isMeasured ? [['line', 'measured', 'measured']] : []), ['line', 'model', unseen.length ? 'model' : fit]), note, charts);
   onPlayhead(() => follow());
   await redraw(first);
 }

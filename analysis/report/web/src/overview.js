@@ -4,9 +4,10 @@ import { residualsOf } from './live/misfit.js';
 import { logTicks, shown } from './number.js';
 import { weighed } from './residual_strip.js';
 import { fittedBand } from './residuals.js';
+import { still, tools } from './tools.js';
 
 const rowHeight = 17;
-const top = 20;
+const top = 4;
 
 /** Largest of a row's residuals at each frequency [sd]. */
 function sizesOf(channel) {
@@ -28,7 +29,6 @@ function mapOf(recording, channels, band, left, width) {
   const x = (f) => left + ((width - left) * Math.log(f / (low / edge))) / Math.log((high * edge) / (low / edge));
   const height = top + rowHeight * channels.length + 18;
   const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, width, height, role: 'img', 'aria-label': `residuals of ${recording}: each channel over frequency` });
-  picture.append(svg('text', { x: left, y: 13, 'font-size': 12, 'font-weight': 600 }, recording));
   channels.forEach((channel, row) => {
     const y = top + rowHeight * row;
     picture.append(svg('text', { x: left - 6, y: y + rowHeight / 2, 'text-anchor': 'end', 'dominant-baseline': 'central', 'font-size': 11 }, channel.name));
@@ -52,12 +52,19 @@ function mapOf(recording, channels, band, left, width) {
     last = x(f);
     picture.append(svg('text', { x: last, y: height - 4, 'font-size': 11, 'text-anchor': 'middle', class: 'dim' }, shown(f, 3)));
   }
-  return picture;
+  const columns = () => {
+    const rows = channels.flatMap((channel) => sizesOf(channel).flatMap((size, i) => (channel.in_band[i] && size != null ? [[channel.name, channel.frequency_Hz[i], size]] : [])));
+    return ['channel', 'frequency [Hz]', 'largest residual [sd]'].map((name, k) => ({ name, values: rows.map((row) => row[k]) }));
+  };
+  const box = el('div', { class: 'chart' });
+  box.append(el('h3', { style: { paddingLeft: `${left}px` } }, recording, tools(box, `residuals of ${recording}`, [still(picture, columns)])), picture);
+  return box;
 }
 
 /** Where the model is off, of all recordings at one look. */
 export function drawOverview(place, data) {
-  const channels = weighed(data.responses ?? [], data.model_error);
+  // Recordings kept for validation have no fitted frequency.
+  const channels = weighed(data.responses ?? [], data.model_error).filter(({ in_band }) => in_band.some(Boolean));
   const band = fittedBand(data.result?.band_Hz, channels);
   if (!band || !channels.some((channel) => channel.error && sizesOf(channel).some((size) => size != null))) return;
   const recordings = [...new Set(channels.map(({ recording }) => recording))];

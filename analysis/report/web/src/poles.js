@@ -1,6 +1,7 @@
-import { el, svg } from './dom.js';
+import { svg } from './dom.js';
 import { onAnswer } from './live/answers.js';
 import { extent, multiples, niceStep, shown } from './number.js';
+import { framed } from './tools.js';
 
 const margin = { left: 46, right: 18, top: 26, bottom: 40 };
 /** Of a label of damping ratio. */
@@ -118,5 +119,10 @@ export function drawPoles(place, data) {
     text([(margin.left + width) / 2, height - 6], { 'text-anchor': 'middle', class: 'dim' }, 'real part, 1/s'),
     text([margin.left - 7, margin.top - 14], { class: 'dim', 'text-anchor': 'end' }, 'Hz'),
   );
-  place.append(el('div', { class: 'picture' }, picture));
+  const columns = () => [
+    { name: 'mode', values: poles.map(({ name }) => name) },
+    { name: 'real part [1/s]', values: poles.map(({ re }) => re) },
+    { name: 'imaginary part [Hz]', values: poles.map(({ im }) => hz(im)) },
+  ];
+  place.append(framed('pole map', picture, columns));
 }

@@ -5,13 +5,17 @@ import { drawBench } from './bench.js';
 import { drawAgreement, drawConvergence } from './convergence.js';
 import { drawComparedBench, drawComparedHistories, drawComparedResponses } from './compared.js';
 import { drawCorrelation } from './correlation.js';
+import { drawCurves } from './curves.js';
 import { drawComparedErrors, drawComparedParameters } from './paired.js';
 import { drawHistories } from './histories.js';
+import { nameFit } from './line_name.js';
 import { drawOverview } from './overview.js';
 import { drawPoles } from './poles.js';
 import { drawResiduals } from './residuals.js';
 import { drawResponses } from './responses.js';
+import { drawSliders } from './sliders.js';
 import { readTables } from './tables.js';
+import { saveStills } from './tools.js';
 import { drawViewer } from './viewer/viewer.js';
 
 const drawers = {
@@ -22,6 +26,8 @@ const drawers = {
   histories: drawHistories,
   bench: drawBench,
   correlation: drawCorrelation,
+  curves: drawCurves,
+  sliders: drawSliders,
   poles: drawPoles,
   convergence: drawConvergence,
   agreement: drawAgreement,
@@ -68,10 +74,13 @@ function removeEmpty() {
 
 const data = JSON.parse(document.getElementById('data').textContent);
 
-/** The rest of the report stays readable where a part cannot be drawn. */
+if (data.line) nameFit(data.line);
+
+/** What is named after a colon, as in `curves:impulse`, is one of several. The rest stays readable where a part cannot be drawn. */
 async function draw(place) {
   try {
-    await drawers[place.dataset.draw](place, data);
+    const [drawer, ...named] = place.dataset.draw.split(':');
+    await drawers[drawer](place, data, named.join(':'));
   } catch (error) {
     console.error(error);
     place.append(el('p', { class: 'note' }, `This part could not be drawn: ${error.message}`));
@@ -82,6 +91,7 @@ startTheme();
 Promise.all([...document.querySelectorAll('[data-draw]')].map(draw)).then(() => {
   removeEmpty();
   readTables();
+  saveStills();
   drawContents();
   keepAddress();
   document.documentElement.dataset.ready = '';

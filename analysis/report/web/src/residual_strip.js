@@ -1,4 +1,5 @@
 import { band, chart, curve, frequencyAxis, linearAxis, outside } from './chart.js';
+import { fit } from './line_name.js';
 import { loudestOf, residualsOf } from './live/misfit.js';
 
 /** What the band reaches to, in standard deviations: 95 % of a normal distribution, rounded. */
@@ -16,7 +17,7 @@ const answerOf = (line) => ({ gain: line.gain ?? [], phase: line.phase ?? [], me
 function linesOf(channel) {
   const has = (key) => key !== 'mean' || channel.mean_measured;
   return channel.lines
-    .filter(({ label }) => label === 'fit' || label === 'what if')
+    .filter(({ label }) => label === fit || label === 'what if')
     .flatMap((line) => {
       const residuals = residualsOf(channel, answerOf(line), channel.error, channel.loudest);
       return parts.filter(([key]) => has(key)).map(([key, name, options]) => ({ key, of: line.label, label: `${line.label}, ${name}`, colour: line.colour, options, values: residuals[key] }));
@@ -34,7 +35,7 @@ export function weighed(channels, error) {
 
 /** Whether residuals of a channel have a size: noise or a model error is known. */
 export const isWeighed = (channel) =>
-  channel.error != null && residualsOf(channel, answerOf(channel.lines[channel.lines.findIndex(({ label }) => label === 'fit')] ?? {}), channel.error, channel.loudest).along.some((value) => value != null);
+  channel.error != null && residualsOf(channel, answerOf(channel.lines[channel.lines.findIndex(({ label }) => label === fit)] ?? {}), channel.error, channel.loudest).along.some((value) => value != null);
 
 /** As far as the rows in view go that count, and twice the band at least. */
 function rangeOf(counts, lines, [first, last]) {
@@ -62,7 +63,7 @@ export function residualStrip(place, channel, { height, xRange, bands, sync, rea
       hooks: { setCursor: [(u) => read(u.cursor.idx)] },
     }),
     data(),
-    { name: `residuals of ${channel.name} over frequency`, unit: 'standard deviations' },
+    { name: `residuals of ${channel.name} over frequency`, unit: 'standard deviations', x: ['frequency', 'Hz'] },
   );
   return {
     state,

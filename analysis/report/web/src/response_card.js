@@ -1,5 +1,6 @@
 import { area, chart, curve, dots, errorBars, frequencyAxis, linearAxis, outside } from './chart.js';
 import { el } from './dom.js';
+import { fit } from './line_name.js';
 import { decibel, extent, fixed, shown } from './number.js';
 import { isWeighed, residualStrip } from './residual_strip.js';
 import { tools } from './tools.js';
@@ -48,7 +49,7 @@ function seriesOf(channel) {
     low: measured.map((value, i) => (angle[i] ? value - reach * angle[i] : null)),
     high: measured.map((value, i) => (angle[i] ? value + reach * angle[i] : null)),
   };
-  const [modelled, turned] = [channel.gain_modelled, phase.lines.find(({ label }) => label === 'fit')?.values];
+  const [modelled, turned] = [channel.gain_modelled, phase.lines.find(({ label }) => label === fit)?.values];
   gain.areas = (channel.gain_bands ?? []).map((half) => [
     modelled.map((value, i) => (half[i] == null ? null : decibel(Math.max(value - half[i], value / 100)))),
     modelled.map((value, i) => (half[i] == null ? null : decibel(value + half[i]))),
@@ -113,12 +114,14 @@ function panel(place, height, series, part, { name, unit, steps, least, labelled
       hooks: { setCursor: [(u) => read(u.cursor.idx)] },
     }),
     [series.x, part.measured, ...part.lines.map((line) => line.values)],
-    { name, unit },
+    { name, unit, x: ['frequency', 'Hz'] },
   );
 }
 
 /** Root mean square of what a line and measurement differ by, where they were fitted. */
-function misfitOf({ gain, phase }, inBand, line) {
+function misfitOf({ gain, phase }, fitted, line) {
+  // Of a recording kept for validation all counts.
+  const inBand = fitted.some(Boolean) ? fitted : fitted.map(() => true);
   const rms = ({ measured, lines }) => {
     const modelled = lines[line].values;
     const errors = measured.map((value, i) => (inBand[i] && value != null && modelled[i] != null ? modelled[i] - value : null)).filter((error) => error != null);
@@ -148,7 +151,7 @@ export function card(channel, bands, sync, axes = null) {
   const series = { ...seriesOf(channel), fitted: counts };
   const place = el('div');
   const whatIf = channel.lines.findIndex(({ label }) => label === 'what if');
-  const heading = el('span', {}, channel.in_band ? misfitOf(series, channel.in_band, channel.lines.findIndex(({ label }) => label === 'fit')) : '');
+  const heading = el('span', {}, channel.in_band ? misfitOf(series, channel.in_band, channel.lines.findIndex(({ label }) => label === fit)) : '');
   const drawn = [];
   const isMeasured = channel.gain_measured.some((value) => value != null);
   const reading = el('span', { class: 'reading' });

@@ -5,6 +5,7 @@ import { comparisonOf, dataOf, lineOf, sharedWith, takeFiles } from './dropped.j
 import { onFocus } from './focus.js';
 import { readable } from './histories.js';
 import { legend } from './legend.js';
+import { fit as fitName } from './line_name.js';
 import { onAnswer } from './live/answers.js';
 import { canFollow, openWhatIf } from './live/whatif.js';
 import { fittedBand } from './residuals.js';
@@ -15,7 +16,7 @@ import { onPaper, runLine } from './theme.js';
 /** Start, where it is wanted, fit, or the car of a file that was not fitted, and the place of what a car of other values would do. */
 function linesOf(channel, withStart, withWhatIf) {
   const start = { label: 'start', colour: 'start', dash: [4, 3], width: 1.2, gain: channel.gain_start, phase: channel.phase_start, read: false, counts: false };
-  const fit = { label: 'fit', colour: 'model', gain: channel.gain_modelled, phase: channel.phase_modelled, mean: channel.mean_modelled };
+  const fit = { label: fitName, colour: 'model', gain: channel.gain_modelled, phase: channel.phase_modelled, mean: channel.mean_modelled };
   const none = channel.gain_measured.map(() => null);
   const whatIf = { label: 'what if', colour: 'whatif', width: 1.8, gain: none, phase: none, mean: none };
   return [...(withStart ? [start] : []), fit, ...(withWhatIf ? [whatIf] : [])];
@@ -95,7 +96,7 @@ export function drawResponses(place, data) {
   const marks = (withWhatIf) =>
     legend(
       ...(isMeasured ? [['dot', 'measured', hasBars ? 'measured, bars: 95 %' : 'measured']] : []),
-      ['line', 'model', isMeasured ? 'fit' : 'vehicle file'],
+      ['line', 'model', fitName],
       ...(withWhatIf ? [['line', 'whatif', 'what if']] : []),
       ...state.others.map(({ name, place }) => [runLine(place), runLine(place).colour, name]),
       ...(hasStart ? [['dash', 'start', 'start']] : []),

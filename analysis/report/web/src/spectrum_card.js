@@ -15,14 +15,14 @@ export function spectrumCard(recording, channel, time, sync, highest) {
   const [line] = channel.lines;
   const rate_Hz = (time.length - 1) / (time[time.length - 1] - time[0]);
   const draw = () => {
-    if (!channel.measured || !line?.values) return [];
-    const spectra = spectraOf(channel.measured, line.values, rate_Hz);
+    if (!line?.values) return [];
+    const spectra = spectraOf(channel.measured ?? line.values, line.values, rate_Hz);
     if (!spectra) return [];
-    const difference = spectraOf(Array.from(time, (_, i) => (line.values[i] ?? 0) - (channel.measured[i] ?? 0)), channel.measured, rate_Hz).first;
+    const difference = channel.measured ? spectraOf(Array.from(time, (_, i) => (line.values[i] ?? 0) - (channel.measured[i] ?? 0)), channel.measured, rate_Hz).first : [];
     const count = spectra.frequency.findIndex((f) => f > highest);
     const within = (list) => Array.from(count < 0 ? list : list.slice(0, count));
     const x = within(spectra.frequency);
-    const densities = [spectra.first, spectra.second, difference].map(within);
+    const densities = [channel.measured ? spectra.first : [], spectra.second, difference].map(within).map((list) => (list.length ? list : x.map(() => null)));
     const [, top] = extent(...densities) ?? [0, 1];
     const cursor = { y: false, sync: { key: sync.key }, drag: { x: true, y: false } };
     const xScale = { time: false, distr: 3, range: (u, min, max) => [min, max] };
@@ -36,8 +36,12 @@ export function spectrumCard(recording, channel, time, sync, highest) {
         cursor,
       }),
       [x, ...densities.map((list) => list.map((value) => (value > top * decades ? value : null)))],
-      { name: `spectrum of ${channel.name} of ${recording}`, unit: `(${channel.unit})^2/Hz` },
+      { name: `spectrum of ${channel.name} of ${recording}`, unit: `(${channel.unit})\u00b2/Hz`, x: ['frequency', 'Hz'] },
     );
+    if (!channel.measured) {
+      title.append(tools(box, `spectrum ${recording} ${channel.name}`, [state]));
+      return [state];
+    }
     const coherence = chart(
       below,
       78,
@@ -48,7 +52,7 @@ export function spectrumCard(recording, channel, time, sync, highest) {
         cursor,
       }),
       [x, within(spectra.coherence)],
-      { name: `coherence of ${channel.name}, model and measurement`, unit: '1' },
+      { name: `coherence of ${channel.name}, model and measurement`, unit: '1', x: ['frequency', 'Hz'] },
     );
     title.append(tools(box, `spectrum ${recording} ${channel.name}`, [state, coherence]));
     return [state, coherence];

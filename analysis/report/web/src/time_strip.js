@@ -33,6 +33,6 @@ export function timeStrip(place, { name, unit, time, measured, line, half, sd },
       hooks,
     }),
     [time, values],
-    { name: `residual of ${name} over time`, unit },
+    { name: `residual of ${name} over time`, unit, x: ['time', 's'] },
   );
 }

@@ -1,5 +1,6 @@
 import { el, svg } from './dom.js';
 import { shown } from './number.js';
+import { copied, font, ofImage, plain, textOf } from './standing.js';
 import { colours } from './theme.js';
 
 /** Hands a file to the reader. */
@@ -15,21 +16,29 @@ const fileName = (title) => title.replaceAll(/[^\w.-]+/g, '_');
 /** Of CSV: quoted where it must be. */
 const csvCell = (value) => (typeof value === 'string' && /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : (value ?? ''));
 
+/**
+ * A picture of the page that is no chart of curves, as a part of tools(). `columns()`: its numbers, {name, values}.
+ */
+export const still = (picture, columns) => ({ vector: () => copied(picture), columns });
+
+const withUnit = (name, unit) => `${name}${unit ? ` [${unit}]` : ''}`;
+
 /** Columns of a chart: {name, values}. Charts of curves have x and y of each. */
-function columnsOf({ plot, about }) {
-  const named = (label) => `${label}${about?.unit ? ` [${about.unit}]` : ''}`;
+function columnsOf({ plot, about, columns }) {
+  if (columns) return columns();
+  const named = (label) => withUnit(label, about?.unit);
   const name = about?.name.split(' of ')[0] ?? '';
   if (plot.mode === 2)
     return plot.data.slice(1).flatMap(([x, y], k) => [
       { name: `x of ${plot.series[k + 1].label ?? k + 1}`, values: x },
       { name: named(plot.series[k + 1].label ?? `${k + 1}`), values: y },
     ]);
-  return [{ name: 'x', values: plot.data[0] }, ...plot.series.slice(1).map(({ label }, k) => ({ name: named(`${name}: ${label}`), values: plot.data[k + 1] }))];
+  return [{ name: about?.x ? withUnit(...about.x) : 'x', values: plot.data[0] }, ...plot.series.slice(1).map(({ label }, k) => ({ name: named(`${name}: ${label}`), values: plot.data[k + 1] }))];
 }
 
 /** Columns of charts one beside the other, those that all have alike once; empty ones left out. */
 export function tableOf(states) {
-  const columns = states.flatMap((state, i) => columnsOf(state).filter((column, k) => !(i && k === 0 && column.name === 'x')));
+  const columns = states.flatMap((state, i) => columnsOf(state).filter((column, k) => !(i && k === 0 && column.name === columnsOf(states[0])[0].name)));
   return columns.filter(({ values }) => values.some((value) => value != null));
 }
 
@@ -40,42 +49,52 @@ export function csvOf(states) {
   return `${lines.map((line) => line.join(',')).join('\n')}\n`;
 }
 
-/** Charts one below the other as one picture, with a title and what colours stand for. */
+/** What a chart shows over what: "gain, dB, over Hz". */
+const axesOf = ({ name, unit, x: [over, of] = [] }) => [name.split(' of ')[0].replace(/ over .*/, ''), unit, over ? `over ${of || over}` : ''].filter((part) => part).join(', ');
+
+/** What a series looks like. */
+function markOf({ isDots, stroke, dash }, x, y, muted) {
+  const colour = (typeof stroke === 'function' ? stroke() : stroke) ?? muted;
+  if (isDots) return svg('circle', { cx: x + 9, cy: y - 4, r: 3, fill: colour });
+  return svg('path', { d: `M${x} ${y - 4}h18`, stroke: colour, 'stroke-width': 2, ...(dash?.length ? { 'stroke-dasharray': dash.join(' ') } : {}) });
+}
+
+/** Charts one below the other as one picture that stands alone, with a title and what colours stand for. */
 export function pictureOf(title, states) {
   const { ground, text, muted } = colours();
-  const font = 'system-ui, "Liberation Sans", Arial, sans-serif';
   const parts = states.map((state) => state.vector());
   const width = Math.max(...parts.map((part) => Number(part.getAttribute('width'))));
   let top = 26;
   const placed = parts.map((part, i) => {
     const about = states[i].about;
-    const words = svg('text', { x: width - 10, y: top + 4, 'text-anchor': 'end', 'font-size': 10, fill: muted }, about ? `${about.name.split(' of ')[0]}, ${about.unit}` : '');
+    const words = about ? svg('text', { x: width - 10, y: top + 4, 'text-anchor': 'end', 'font-size': 10, fill: muted }, axesOf(about)) : null;
     part.setAttribute('y', top);
     top += Number(part.getAttribute('height')) + 6;
     return svg('g', {}, part, words);
   });
-  const marks = [...new Map(states.flatMap(({ plot }) => plot.series.slice(1)).map((series) => [series?.label, series])).values()].filter((series) => series?.label);
+  const drawn = states.flatMap(({ plot }) => plot?.series.slice(1).filter((_, k) => plot.data[k + 1]?.some((value) => value != null)) ?? []);
+  const marks = [...new Map(drawn.map((series) => [series?.label, series])).values()].filter((series) => series?.label);
   let [x, y] = [10, top + 14];
-  const legend = marks.map(({ label, stroke, dash }) => {
-    const length = 34 + 6.2 * label.length;
+  const legend = marks.map((series) => {
+    const length = 34 + 6.2 * series.label.length;
     if (x + length > width) [x, y] = [10, y + 16];
-    const colour = typeof stroke === 'function' ? stroke() : stroke;
-    const mark = svg('g', {}, svg('path', { d: `M${x} ${y - 4}h18`, stroke: colour ?? muted, 'stroke-width': 2, ...(dash?.length ? { 'stroke-dasharray': dash.join(' ') } : {}) }), svg('text', { x: x + 24, y, 'font-size': 11, fill: text }, label));
+    const mark = svg('g', {}, markOf(series, x, y, muted), svg('text', { x: x + 24, y, 'font-size': 11, fill: text }, series.label));
     x += length;
     return mark;
   });
-  const height = y + 12;
-  return svg(
+  const height = marks.length ? y + 12 : top;
+  const picture = svg(
     'svg',
-    { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height, 'font-family': font },
+    { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height },
+    svg('title', {}, title),
     svg('rect', { width, height, fill: ground }),
     svg('text', { x: 10, y: 17, 'font-size': 13, 'font-weight': 600, fill: text }, title),
     ...placed,
     ...legend,
   );
+  plain(picture).setAttribute('font-family', font);
+  return picture;
 }
-
-const textOf = (picture) => new XMLSerializer().serializeToString(picture);
 
 /** A picture of points, twice as fine. */
 async function pngOf(picture) {
@@ -90,10 +109,12 @@ async function pngOf(picture) {
 /** Most rows of a table of a chart's numbers: beyond these a file is better. */
 const mostRows = 1000;
 
+const numberCell = (value) => (typeof value === 'string' ? el('td', {}, value) : el('td', { class: 'n' }, value == null ? '' : shown(value, 5)));
+
 function numberTable(title, states) {
   const columns = tableOf(states);
   const rows = Math.max(...columns.map(({ values }) => values.length));
-  const body = Array.from({ length: Math.min(rows, mostRows) }, (_, i) => el('tr', {}, ...columns.map(({ values }) => el('td', { class: 'n' }, values[i] == null ? '' : shown(values[i], 5)))));
+  const body = Array.from({ length: Math.min(rows, mostRows) }, (_, i) => el('tr', {}, ...columns.map(({ values }) => numberCell(values[i]))));
   return el(
     'div',
     { class: 'table numbers', tabIndex: 0, role: 'region', 'aria-label': `numbers of ${title}` },
@@ -101,7 +122,25 @@ function numberTable(title, states) {
   );
 }
 
-/** What can be done with the charts of a card: enlarge, save, read as numbers. */
+/** Ways to save a picture that is made when it is asked for, and further ones. */
+function saving(title, picture, ...further) {
+  const act = (label, run) => el('button', { type: 'button', 'aria-label': `${label} of ${title}`, onclick: () => { menu.open = false; run(); } }, label);
+  const menu = el(
+    'details',
+    { class: 'menu' },
+    el('summary', { 'aria-label': `save ${title}`, title: 'save' }, '\u2913'),
+    el(
+      'span',
+      {},
+      act('PNG', async () => save(`${fileName(title)}.png`, 'image/png', await pngOf(picture()))),
+      act('SVG', () => save(`${fileName(title)}.svg`, 'image/svg+xml', textOf(picture()))),
+      ...further.map(([label, run]) => act(label, run)),
+    ),
+  );
+  return menu;
+}
+
+/** What can be done with the charts of a card: enlarge those of curves, save, read as numbers. */
 export function tools(box, title, states) {
   let numbers = null;
   const heights = states.map(({ height }) => height);
@@ -111,27 +150,35 @@ export function tools(box, title, states) {
     larger.setAttribute('aria-expanded', on);
     if (on) box.scrollIntoView({ block: 'nearest' });
   };
-  const larger = el('button', { type: 'button', title: 'enlarge', 'aria-label': `enlarge ${title}`, 'aria-expanded': false, onclick: () => enlarge(!box.classList.contains('large')) }, '\u2922');
-  const act = (label, run) => el('button', { type: 'button', 'aria-label': `${label} of ${title}`, onclick: () => { menu.open = false; run(); } }, label);
-  const menu = el(
-    'details',
-    { class: 'menu' },
-    el('summary', { 'aria-label': `save ${title}`, title: 'save' }, '\u2913'),
-    el(
-      'span',
-      {},
-      act('PNG', async () => save(`${fileName(title)}.png`, 'image/png', await pngOf(pictureOf(title, states)))),
-      act('SVG', () => save(`${fileName(title)}.svg`, 'image/svg+xml', textOf(pictureOf(title, states)))),
-      act('CSV', () => save(`${fileName(title)}.csv`, 'text/csv', csvOf(states))),
-      act('numbers', () => {
-        if (numbers) numbers.remove();
-        numbers = numbers ? null : numberTable(title, states);
-        if (numbers) box.append(numbers);
-      }),
-    ),
+  const larger = states.every(({ resize }) => resize) ? el('button', { type: 'button', title: 'enlarge', 'aria-label': `enlarge ${title}`, 'aria-expanded': false, onclick: () => enlarge(!box.classList.contains('large')) }, '\u2922') : null;
+  const menu = saving(
+    title,
+    () => pictureOf(title, states),
+    ['CSV', () => save(`${fileName(title)}.csv`, 'text/csv', csvOf(states))],
+    ['numbers', () => {
+      if (numbers) numbers.remove();
+      numbers = numbers ? null : numberTable(title, states);
+      if (numbers) box.append(numbers);
+    }],
   );
   box.addEventListener('keydown', ({ key }) => {
     if (key === 'Escape' && box.classList.contains('large')) enlarge(false);
   });
-  return el('span', { class: 'tools' }, larger, menu);
+  return el('span', { class: 'tools' }, ...[larger, menu].filter((one) => one));
+}
+
+/** A picture in its frame, below a line with its name and ways to save it. `columns()`: its numbers. */
+export function framed(title, picture, columns) {
+  const box = el('div', { class: 'chart' });
+  box.append(el('h3', {}, title, tools(box, title, [still(picture, columns)])), el('div', { class: 'picture' }, picture));
+  return box;
+}
+
+/** Pictures that the program has drawn can be saved too. */
+export function saveStills() {
+  for (const image of document.querySelectorAll('img.still')) {
+    const box = el('div', { class: 'chart' });
+    image.replaceWith(box);
+    box.append(el('h3', {}, image.alt, el('span', { class: 'tools' }, saving(image.alt, () => ofImage(image)))), image);
+  }
 }

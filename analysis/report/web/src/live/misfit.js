@@ -63,9 +63,9 @@ export function squaresOf(channels, answers, error) {
   return { sum, count };
 }
 
-/** Root mean square of residuals, with the degrees of freedom that a fit of so many parameters takes of all residuals. */
+/** Root mean square of residuals, with the degrees of freedom that a fit of so many parameters, or none, takes of all residuals. */
 export function misfitOf(parts, parameters, residuals) {
   const sum = parts.reduce((all, part) => all + part.sum, 0);
   const count = parts.reduce((all, part) => all + part.count, 0);
-  return count ? Math.sqrt(sum / (count * Math.max(1 - parameters / residuals, 0.01))) : null;
+  return count ? Math.sqrt(sum / (count * Math.max(1 - (parameters ? parameters / residuals : 0), 0.01))) : null;
 }

@@ -1,4 +1,5 @@
 import { choice, el, tick } from '../dom.js';
+import { fit as fitName } from '../line_name.js';
 import { inAddress, putInAddress } from '../address.js';
 import { fixed, shown } from '../number.js';
 import { tellAnswer } from './answers.js';
@@ -11,7 +12,7 @@ import { openVehicle } from './vehicle.js';
 import { withValues } from './vehicle_file.js';
 
 const hysteretic = 'Dry friction acts on a mount: steady responses would take time integration, too slow to follow a slider. Modes follow.';
-const fullGeometry = 'The fit is drawn with the full geometry, this line with small motion about the design pose.';
+const fullGeometry = () => `The ${fitName} is drawn with the full geometry, this line with small motion about the design pose.`;
 
 /** Whether this page can follow other values, as far as is known before the program is asked. */
 export const canFollow = (data) =>
@@ -190,7 +191,7 @@ export async function openWhatIf(data, shownRecording, shut) {
     const begin = performance.now();
     try {
       const now = car.at(inSi(parameters, values()), rests ? undefined : [shownRecording()]);
-      fault.textContent = now.responses ? (data.result.responses?.some(({ engine }) => engine === 'full') ? fullGeometry : '') : hysteretic;
+      fault.textContent = now.responses ? (data.result.responses?.some(({ engine }) => engine === 'full') ? fullGeometry() : '') : hysteretic;
       // All recordings together weigh the model; while a slider moves, the one in view.
       if (rests && now.responses) misfit.textContent = fromFit(car.misfit(now));
       modes.replaceChildren(...modeRows(now.modes));

@@ -58,14 +58,29 @@ export function between(list, time, rate_Hz) {
   return list.length < 2 ? list[0] : list[k].map((value, i) => value + (at - k) * (list[k + 1][i] - value));
 }
 
-/** What can be played: modes, responses to the recorded motions of the posts, and recordings over time. */
+/** The place of each link, x y z and a quaternion x y z w, and heights of the posts [m], at `at` between two stations. */
+export function stationAt({ stations }, at) {
+  const k = Math.max(0, Math.min(Math.floor(at), stations.length - 2));
+  const [a, b] = [stations[k], stations[k + 1] ?? stations[k]];
+  const mixed = (from, to) => from.map((value, i) => value + (at - k) * (to[i] - value));
+  // Stations are so near that what is between two turns is their mean, with the length of a turn.
+  const turns = (from, to) => (from.reduce((sum, value, i) => sum + value * to[i], 0) < 0 ? mixed(from, to.map((value) => -value)) : mixed(from, to));
+  return {
+    travel: a.travel + (at - k) * (b.travel - a.travel),
+    posts: mixed(a.posts, b.posts),
+    links: a.links.map((link, i) => ({ place: mixed(link.slice(0, 3), b.links[i].slice(0, 3)), turn: turns(link.slice(3), b.links[i].slice(3)) })),
+  };
+}
+
+/** What can be played: modes, responses to the recorded motions of the posts, recordings over time, and travels of wheels. */
 export function motionsOf(scene) {
   const modes = scene.modes
     .filter((mode) => mode.shape.length)
     .map((mode, i) => ({ id: `mode ${i}`, kind: 'mode', mode, name: mode.name }));
   const responses = scene.motions.map((motion, i) => ({ id: `response ${i}`, kind: 'response', motion, name: motion.name }));
   const histories = scene.histories.map((motion, i) => ({ id: `history ${i}`, kind: 'history', motion, name: motion.name }));
-  return [...modes, ...responses, ...histories];
+  const travels = (scene.travels ?? []).map((motion, i) => ({ id: `travel ${i}`, kind: 'travel', motion, name: motion.name }));
+  return [...travels, ...modes, ...responses, ...histories];
 }
 
 /** A shape turned and scaled to come nearest to another, for a shape has neither size nor phase: re, im, re, im ... */

@@ -74,6 +74,7 @@ export class Stage {
       rod: new MeshLambertMaterial(),
       post: new MeshLambertMaterial(),
       sensor: new MeshLambertMaterial(),
+      force: new MeshLambertMaterial(),
       edges: new LineBasicMaterial({ transparent: true, opacity: 0.75 }),
       ghost: new LineBasicMaterial({ transparent: true, opacity: 0.95, depthTest: false }),
     };
@@ -89,6 +90,7 @@ export class Stage {
     this.#addLinks();
     this.#addElements();
     this.#addPosts();
+    this.#addForces();
     this.#addSensors();
     this.ghost = new Ghost(scene, this.links, this.materials.ghost);
     this.world.add(this.ghost.group);
@@ -239,9 +241,11 @@ export class Stage {
   #addPosts() {
     const { tyres, posts } = this.scene;
     this.platforms = posts.map(() => []);
+    this.feet = [];
     let ground = Infinity;
     tyres.forEach((tyre, t) => {
       const { feet, isBare, centre } = this.#feet(tyre);
+      this.feet[t] = feet;
       const post = posts.findIndex((one) => one.tyre === t);
       if (isBare && tyre.radius > 0) {
         const ring = new Mesh(new TorusGeometry(tyre.radius * 0.8, tyre.radius * 0.2, 12, 40).rotateX(Math.PI / 2), this.materials.part);
@@ -250,7 +254,7 @@ export class Stage {
       }
       for (const foot of feet) {
         const group = new Group();
-        const wide = Math.min(0.26, 0.16 * this.size);
+        const wide = this.#wide();
         const plate = new Mesh(new BoxGeometry(2.2 * wide, 1.3 * wide, 0.03), this.materials.post);
         plate.position.z = -0.015;
         const piston = new Mesh(new CylinderGeometry(0.22 * wide, 0.22 * wide, 0.5, 24).rotateX(Math.PI / 2).translate(0, 0, -0.28), this.materials.post);
@@ -276,6 +280,46 @@ export class Stage {
     this.world.add(this.grid);
   }
 
+  /** Of a platform. */
+  #wide() {
+    return Math.min(0.26, 0.16 * this.size);
+  }
+
+  /** Arrows beside the feet of each tyre, as long as its force. */
+  #addForces() {
+    this.arrows = this.scene.tyres.map((_, t) =>
+      this.feet[t].map((foot) => {
+        const arrow = new Group();
+        const thick = 1.6 * this.#thickness();
+        // A unit long, drawn as long as the force.
+        const shaft = new Mesh(bar(thick), this.materials.force);
+        const head = new Mesh(new ConeGeometry(3 * thick, 8 * thick, 16).rotateX(Math.PI / 2), this.materials.force);
+        arrow.add(shaft, head);
+        arrow.visible = false;
+        this.world.add(arrow);
+        return { arrow, shaft, head, foot };
+      }),
+    );
+  }
+
+  /** `shares`: of each tyre its force over that at rest, or null; `heights` of the posts. */
+  forces(shares, heights) {
+    const full = 0.2 * this.size;
+    const aside = 0.85 * this.#wide();
+    this.arrows.forEach((list, t) => {
+      const share = shares?.[t];
+      const post = this.scene.posts.findIndex((one) => one.tyre === t);
+      for (const { arrow, shaft, head, foot } of list) {
+        arrow.visible = share > 0.02;
+        if (!arrow.visible) continue;
+        // Beside the wheel, away from the car's middle.
+        arrow.position.set(foot.x, foot.y + Math.sign(foot.y || 1) * aside, foot.z + (heights[post] ?? 0));
+        shaft.scale.set(1, 1, share * full);
+        head.position.z = share * full;
+      }
+    });
+  }
+
   /** A tyre whose wheel nothing shows: a ball where it holds the link. */
   #addTyreSpring(tyre) {
     this.#addBall(tyre.point, 0.02);
@@ -299,7 +343,7 @@ export class Stage {
     }
   }
 
-  setPalette({ raised, text, measured, model, muted, good, line, dark }) {
+  setPalette({ raised, text, measured, model, muted, good, whatif, line, dark }) {
     const set = (name, colour) => this.materials[name].color.set(colour);
     this.world.background = new Color(raised);
     set('body', dark ? '#8fa3b3' : '#7d93a6');
@@ -309,6 +353,7 @@ export class Stage {
     set('rod', muted);
     set('post', dark ? '#4b555d' : '#b4bdc5');
     set('sensor', good);
+    set('force', whatif);
     set('edges', dark ? '#aeb9c2' : text);
     set('ghost', measured);
     const colours = this.grid.geometry.attributes.color;
@@ -364,13 +409,30 @@ export class Stage {
     this.controls.update();
   }
 
-  /** Coordinates s and heights of the posts, both already exaggerated; `measured`: s of the measured car, or null. */
-  pose(s, heights, measured = null) {
-    moveLinks(this.scene, this.links, s);
+  /** Each link at a place of its own, see stationAt(), and heights of the posts. */
+  place(links, heights) {
+    links.forEach(({ place, turn }, k) => {
+      const group = this.links[k];
+      group.position.fromArray(place);
+      group.quaternion.fromArray(turn).normalize();
+      group.updateMatrixWorld(true);
+    });
+    this.#follow(heights);
+    this.ghost.pose(null);
+  }
+
+  /** What stands between links, and the platforms. */
+  #follow(heights) {
     for (const move of this.moved) move();
     this.platforms.forEach((list, p) => {
       for (const { group, foot } of list) group.position.z = foot.z + (heights[p] ?? 0);
     });
+  }
+
+  /** Coordinates s and heights of the posts, both already exaggerated; `measured`: s of the measured car, or null. */
+  pose(s, heights, measured = null) {
+    moveLinks(this.scene, this.links, s);
+    this.#follow(heights);
     this.ghost.pose(measured);
   }
 

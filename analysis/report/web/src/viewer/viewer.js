@@ -1,10 +1,11 @@
 import { choice, el, tick } from '../dom.js';
-import { fixed, shown } from '../number.js';
+import { fixed, listOf, shown } from '../number.js';
 import { inAddress, putInAddress } from '../address.js';
 import { colours, isDark, onPaper, onTheme } from '../theme.js';
 import { movePlayhead } from '../playhead.js';
 import { onAnswer } from '../live/answers.js';
-import { between, coordinatesAt, followed, framesOf, greatestMotion, greatestOf, motionsOf, phasors } from './motion.js';
+import { cellsOf, forcesOf } from './forces.js';
+import { between, coordinatesAt, followed, framesOf, greatestMotion, greatestOf, motionsOf, phasors, stationAt } from './motion.js';
 import { openStage } from './packed.js';
 
 /** How long a cycle is on the screen [s]; a fast motion is shown slower. */
@@ -25,7 +26,7 @@ function pointsOf(stage, scene) {
 }
 
 function optionsOf(motions) {
-  const groups = { mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }), history: el('optgroup', { label: 'Time histories' }) };
+  const groups = { travel: el('optgroup', { label: 'Travels of the wheels' }), mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }), history: el('optgroup', { label: 'Time histories' }) };
   for (const motion of motions) {
     const words =
       motion.kind === 'mode'
@@ -42,12 +43,16 @@ function optionsOf(motions) {
 const lastOf = ({ start_s, rate_Hz, frames }) => start_s + (frames - 1) / rate_Hz;
 
 class Viewer {
-  /** Without a stage, which comes later: it has its size and its controls at once. */
-  constructor(place, scene) {
+  /** Without a stage, which comes later: it has its size and its controls at once. `recordings`: over time, as packed. */
+  constructor(place, scene, recordings) {
     this.scene = scene;
+    this.recordings = recordings;
+    this.hasForces = true;
+    this.shares = null;
     this.motions = motionsOf(scene);
-    // Not the slowest, which may be fore and aft.
-    this.first = this.motions.find(({ kind, name }) => kind === 'mode' && name === 'heave') ?? this.motions[0];
+    // What the page is about; of modes not the slowest, which may be fore and aft.
+    const wanted = this.motions.find(({ kind }) => kind === scene.first);
+    this.first = wanted ?? this.motions.find(({ kind, name }) => kind === 'mode' && name === 'heave') ?? this.motions[0];
     this.chosen = this.first;
     this.at = 0;
     this.phase = 0;
@@ -134,8 +139,8 @@ class Viewer {
       this.stage?.view(name);
       this.draw();
     });
-    const strength = el('input', { type: 'range', min: -1, max: 1, step: 0.01, value: 0, 'aria-label': 'exaggeration', oninput: () => {
-      this.strength = 4 ** Number(strength.value);
+    this.scale = el('input', { type: 'range', min: -1, max: 1, step: 0.01, value: 0, 'aria-label': 'exaggeration', oninput: () => {
+      this.strength = 4 ** Number(this.scale.value);
       this.draw();
     } });
     return el(
@@ -143,10 +148,16 @@ class Viewer {
       { class: 'controls' },
       this.motions.length ? el('label', {}, 'motion', select) : null,
       view,
-      el('label', {}, 'scale', strength),
+      el('label', {}, 'scale', this.scale),
       this.scene.motions.some(({ measured }) => measured)
         ? tick('measured car', true, (on) => {
             this.hasGhost = on;
+            this.draw();
+          })
+        : null,
+      this.scene.histories.length && cellsOf(this.scene).length
+        ? tick('tyre forces', true, (on) => {
+            this.hasForces = on;
             this.draw();
           })
         : null,
@@ -163,6 +174,7 @@ class Viewer {
     this.scrub = el('input', { type: 'range', class: 'scrub', oninput: () => {
       this.play(false);
       if (this.overTime) this.time = Number(this.scrub.value);
+      else if (this.isTravel) this.station = Number(this.scrub.value);
       else this.phase = (Number(this.scrub.value) * Math.PI) / 180;
       this.draw();
     } });
@@ -181,12 +193,18 @@ class Viewer {
     return this.chosen?.kind === 'history';
   }
 
-  /** The slider goes over a cycle, or over a recording. */
+  get isTravel() {
+    return this.chosen?.kind === 'travel';
+  }
+
+  /** The slider goes over a cycle, over a recording, or over the stations of a travel. */
   #setScrub() {
     const { motion } = this.chosen ?? {};
     const [name, label, min, max, step] = this.overTime
       ? ['time', 'time of the recording', motion.start_s, lastOf(motion), 1 / motion.rate_Hz]
-      : ['phase', 'phase of the cycle', 0, 360, 1];
+      : this.isTravel
+        ? ['travel', 'travel of the wheels', 0, motion.stations.length - 1, 0.02]
+        : ['phase', 'phase of the cycle', 0, 360, 1];
     this.scrubName.textContent = name;
     this.scrub.setAttribute('aria-label', label);
     Object.assign(this.scrub, { min, max, step });
@@ -194,7 +212,7 @@ class Viewer {
   }
 
   #moveScrub() {
-    this.scrub.value = this.overTime ? this.time : (this.phase * 180) / Math.PI;
+    this.scrub.value = this.overTime ? this.time : this.isTravel ? this.station : (this.phase * 180) / Math.PI;
   }
 
   choose(motion) {
@@ -203,7 +221,15 @@ class Viewer {
     if (this.overTime) {
       this.frames = framesOf(motion.motion);
       this.time = motion.motion.start_s;
+      this.#fetchForces(motion);
     } else movePlayhead(null, 0);
+    if (this.isTravel) {
+      // From the design pose to bump.
+      this.phase = 0;
+      this.station = Math.max(0, motion.motion.stations.findIndex(({ travel }) => travel === 0));
+    }
+    // A travel is as large as it is.
+    this.scale.disabled = this.isTravel;
     this.#setScrub();
     this.frequencies.hidden = motion?.kind !== 'response';
     this.frequencies.style.display = this.frequencies.hidden ? 'none' : '';
@@ -217,9 +243,36 @@ class Viewer {
     this.#follow(this.answer);
   }
 
+  /** Forces of the tyres in a recording, which are unpacked when it is chosen. */
+  async #fetchForces(motion) {
+    this.shares = null;
+    const shares = await forcesOf(this.scene, this.recordings.find(({ recording }) => recording === motion.name));
+    if (this.chosen !== motion) return;
+    this.shares = shares;
+    this.draw();
+  }
+
+  /** Of each tyre its force over that at rest, now; null where they are not known or not wanted. */
+  #sharesNow() {
+    return this.overTime && this.hasForces && this.shares ? this.shares(this.time) : null;
+  }
+
+  #forcesText() {
+    const shares = this.#sharesNow();
+    if (!shares) return '';
+    const known = shares.filter((share) => share != null);
+    const lifted = this.scene.tyres.filter((_, t) => shares[t] != null && shares[t] <= 0.02).map(({ name }) => name);
+    const range = known.length > 1 ? `forces ${fixed(Math.min(...known), 2)} to ${fixed(Math.max(...known), 2)} of those` : `force ${fixed(known[0], 2)} of that`;
+    return `, tyre ${range} at rest${lifted.length ? `, ${lifted.join(' and ')} off the ground` : ''}`;
+  }
+
   /** By how much the motion is drawn larger than it is, at a strength of 1. */
   #measure() {
     if (!this.chosen || !this.stage) return;
+    if (this.isTravel) {
+      this.factor = 1;
+      return;
+    }
     const greatest = this.overTime ? this.#greatestOverTime() : this.#greatestOfCycle();
     this.factor = greatest > 0 ? (share * this.stage.size) / greatest : 1;
   }
@@ -244,8 +297,9 @@ class Viewer {
       const words = kind === 'oscillating' ? '' : `, ${kind}`;
       return `${name}, ${shown(frequency_Hz, 3)} Hz${words}, ${size}${this.#slower(frequency_Hz)}${missing}`;
     }
+    if (this.isTravel) return `${this.chosen.name} ${fixed(1000 * stationAt(this.chosen.motion, this.station).travel, 1)} mm, full geometry, as large as it is${missing}`;
     const larger = `motion scaled by ${shown(this.factor * this.strength, 2)}`;
-    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames per second, ${larger}${missing}`;
+    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames per second, ${larger}${this.#forcesText()}${missing}`;
     const frequency = this.chosen.motion.frequency_Hz[this.at];
     const amplitude = 1000 * this.chosen.motion.amplitude_m[this.at];
     return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, ${larger}${this.hasGhost && this.chosen.motion.measured ? ', blue lines the measured car' : ''}${this.#slower(frequency)}${missing}`;
@@ -277,7 +331,12 @@ class Viewer {
   /** By seconds on the screen; at its end a recording begins anew. */
   #advance(seconds) {
     const { motion } = this.chosen;
-    if (!this.overTime) this.phase = (this.phase + seconds * ((2 * Math.PI) / cycle_s)) % (2 * Math.PI);
+    if (this.isTravel) {
+      // To and fro.
+      const last = motion.stations.length - 1;
+      this.phase = (this.phase + seconds * (Math.PI / 2)) % (2 * Math.PI);
+      this.station = (last * (1 - Math.cos(this.phase))) / 2;
+    } else if (!this.overTime) this.phase = (this.phase + seconds * ((2 * Math.PI) / cycle_s)) % (2 * Math.PI);
     else this.time = this.time + seconds > lastOf(motion) ? motion.start_s : this.time + seconds;
     this.#moveScrub();
   }
@@ -295,9 +354,15 @@ class Viewer {
 
   draw() {
     if (!this.stage) return;
-    if (this.chosen && this.factor) {
+    if (this.isTravel) {
+      const { links, posts } = stationAt(this.chosen.motion, this.station);
+      this.stage.place(links, posts);
+      this.stage.forces(null, posts);
+    } else if (this.chosen && this.factor) {
       const size = this.factor * this.strength;
-      this.stage.pose(...this.#now().map((values) => values.map((value) => value * size)));
+      const [s, heights, measured] = this.#now().map((values) => values.map((value) => value * size));
+      this.stage.pose(s, heights, measured);
+      this.stage.forces(this.#sharesNow(), heights);
       if (this.overTime) movePlayhead(this.chosen.name, this.time);
     }
     if (this.hertz && this.chosen?.kind === 'response') this.hertz.textContent = `${fixed(this.chosen.motion.frequency_Hz[this.at], 2)} Hz`;
@@ -308,7 +373,7 @@ class Viewer {
 
 /** The vehicle, moving; drawn from when it comes into view or is printed, for what draws it takes a second to begin. */
 export function drawViewer(place, data) {
-  const viewer = new Viewer(place, data.scene);
+  const viewer = new Viewer(place, data.scene, [...listOf(data.histories), ...listOf(data.validation)]);
   let stage = null;
   const fetched = async () => {
     try {
