@@ -13,9 +13,6 @@
 namespace fourpost {
 namespace {
 
-/// What rounding leaves of zero, in degrees or millimetres, is zero.
-double WithoutRounding(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
 using html::NumberCell;
 using html::TextCell;
 
@@ -26,6 +23,9 @@ constexpr double kUnmovedRatio = 1e-4;
 
 using OfStation = std::function<double(const AxleStation&)>;
 using OfWheel = std::function<double(const WheelStation&)>;
+
+/// What rounding leaves of zero, in degrees or millimetres, is zero.
+double WithoutRounding(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
 double OrNan(const std::optional<double>& value) { return value.value_or(NAN); }
 
