@@ -110,7 +110,7 @@ describe('the page of responses', () => {
       assert.match(await chart.locator('h3').textContent(), / dB, .* rms/);
       const { head } = await numbersOf(page, chart.locator('.menu'));
       assert.ok(head.some((name) => /: model/.test(name)) && head.every((name) => !/: fit/.test(name)), `${head}`);
-      assert.deepEqual(await page.locator('main > section').evaluateAll((all) => all.map(({ id }) => id)), ['vehicle', 'responses', 'residuals', 'modes']);
+      assert.deepEqual(await page.locator('main > section').evaluateAll((all) => all.map(({ id }) => id)), ['vehicle', 'responses', 'residuals', 'histories', 'modes']);
       await moves(page, /./);
     });
   });
