@@ -28,7 +28,8 @@ GrowthAddition AdditionOf(const nlohmann::json& json) {
           .variant = json.at("variant"),
           .amount = json.at("amount"),
           .count = json.at("count"),
-          .choices = json.at("choices"),
+          // Paths of versions that charged all alike.
+          .choices = json.value("choices", 1),
           .parameters = json.at("parameters")};
 }
 

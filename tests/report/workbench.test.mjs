@@ -410,12 +410,12 @@ describe('a comparison', () => {
   test('says of pairs what differs beyond chance, and which parameters contradict each other', async () => {
     const page = await open(browser, compared('pairs', fitted('landrover110/model1.yaml'), run));
     const caption = await page.locator('#errors caption').textContent();
-    const [, better, worse, alike] = /^(\d+) better than model1, (\d+) worse, (\d+) that cannot be told apart\.$/.exec(caption).map(Number);
+    const [, better, worse, alike] = /^(\d+) better than model1, (\d+) worse, (\d+) that cannot be distinguished\.$/.exec(caption).map(Number);
     assert.equal(better + worse + alike, await page.locator('#errors table').last().locator('tbody tr').count());
     assert.ok(better > 0);
     await page.locator('#errors .group button', { hasText: 'model2' }).click();
     // The other way round.
-    assert.equal(await page.locator('#errors caption').textContent(), `${worse} better than model2, ${better} worse, ${alike} that cannot be told apart.`);
+    assert.equal(await page.locator('#errors caption').textContent(), `${worse} better than model2, ${better} worse, ${alike} that cannot be distinguished.`);
     assert.equal(await page.locator('#errors b').count(), 0, 'nothing is bold');
     assert.ok((await page.locator('#parameters .lanes .interval').count()) > 4);
     assert.match(await page.locator('#parameters .note').first().textContent(), /contradict/);

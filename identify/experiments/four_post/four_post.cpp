@@ -184,7 +184,9 @@ void FourPost::CheckFiles(Diagnostics& diagnostics) const {
 void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {
   AddChannelsByName(subject.vehicle(), plan);
   runs = LoadRuns(plan, subject.vehicle(), diagnostics);
-  if (!diagnostics.HasErrors()) CheckBand(plan, runs, diagnostics);
+  // What is wrong with the channels is wrong with them in these as well.
+  if (diagnostics.HasErrors()) return;
+  CheckBand(plan, runs, diagnostics);
   validation = LoadValidationRuns(plan, subject.vehicle(), diagnostics, left_out_);
 }
 
@@ -234,7 +236,9 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   const CondensedModel model = subject.Condensed()->At(fit.values);
   const CondensedModel start = subject.Condensed()->At(vehicle.ParameterValues());
   const std::vector<MeasuredRun> in_band = RunsInBand();
-  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, vehicle.sensors, runs);
+  std::vector<MeasuredRun> all = runs;
+  all.insert(all.end(), validation.begin(), validation.end());
+  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, vehicle.sensors, all);
   const std::vector<FrequencyResponse> fitted = ModelledResponses(model, vehicle.sensors, in_band);
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, fitted);
   const std::vector<ChannelMisfit> by_recording = RecordingMisfits(in_band, fitted);
@@ -251,17 +255,12 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';
   if (fit.end != FitEnd::kInterrupted) AddKinematics(plan, in_band, vehicle, fit.values, results);
-  const std::vector<FrequencyResponse> unseen = ModelledResponses(model, vehicle.sensors, validation);
   AddValidation(InBand(validation, plan.band_lower_Hz, plan.band_upper_Hz), vehicle, model, results);
-  std::vector<MeasuredRun> all = runs;
-  all.insert(all.end(), validation.begin(), validation.end());
-  std::vector<FrequencyResponse> all_modelled = modelled;
-  all_modelled.insert(all_modelled.end(), unseen.begin(), unseen.end());
-  results.files = {{"response.csv",
-                    ResponseCsv(all, all_modelled, plan.band_lower_Hz, plan.band_upper_Hz,
-                                ModelledResponses(start, vehicle.sensors, all),
-                                BandsOf(subject, all, all_modelled, fit.Spread(), discrepancies, fit.options.threads))},
-                   {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
+  results.files = {
+      {"response.csv", ResponseCsv(all, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
+                                   ModelledResponses(start, vehicle.sensors, all),
+                                   BandsOf(subject, all, modelled, fit.Spread(), discrepancies, fit.options.threads))},
+      {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
   if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, fit.options.threads, results);
   return results;
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace fourpost {
 namespace {
@@ -79,6 +80,16 @@ TEST_F(GrowthPathTest, IsReadAsItWasWritten) {
   EXPECT_EQ(again.TriedOfRound(), 1u);
   EXPECT_EQ(again.round->candidates[1].effective, 40.5);
   EXPECT_EQ(again.steps[1].addition.amount, 1e-6);
+}
+
+TEST_F(GrowthPathTest, OfAVersionThatChargedAllAlikeIsRead) {
+  nlohmann::json written = nlohmann::json::parse(GrowthJson(Path()));
+  for (nlohmann::json& step : written["steps"]) step.erase("choices");
+  for (nlohmann::json& one : written["round"]["candidates"]) one.erase("choices");
+  Write("steps/growth.json", written.dump());
+  const GrowthPath again = EarlierGrowth(output_, "digest");
+  ASSERT_EQ(again.steps.size(), 3u);
+  EXPECT_EQ(again.steps[1].addition.choices, 1);
 }
 
 TEST_F(GrowthPathTest, NumbersStepsByWhatWasKept) {

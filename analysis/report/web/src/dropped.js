@@ -43,7 +43,7 @@ export function comparisonOf(channels, { name, place, shared }) {
   return el(
     'details',
     {},
-    el('summary', {}, `${name}: ${counts.better} channels better than this fit, ${counts.worse} worse, ${counts.alike} that cannot be told apart`),
+    el('summary', {}, `${name}: ${counts.better} channels better than this fit, ${counts.worse} worse, ${counts.alike} that cannot be distinguished`),
     el('div', { class: 'table' }, el('table', {}, el('thead', {}, el('tr', {}, ...['recording', 'channel', `error of ${name} over that of this fit, and its interval of 95 %`].map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...rows))),
   );
 }

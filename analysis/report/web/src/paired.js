@@ -91,7 +91,7 @@ export function drawComparedErrors(place, { comparison: { runs: names, bands, re
       );
     });
     box.replaceChildren(
-      el('table', {}, el('caption', {}, `${count.better} better than ${names[reference]}, ${count.worse} worse, ${count.alike} that cannot be told apart.`), el('thead', {}, el('tr', {}, ...['recording', 'channel', ...others.map((run) => `${names[run]} over ${names[reference]}`)].map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...rows)),
+      el('table', {}, el('caption', {}, `${count.better} better than ${names[reference]}, ${count.worse} worse, ${count.alike} that cannot be distinguished.`), el('thead', {}, el('tr', {}, ...['recording', 'channel', ...others.map((run) => `${names[run]} over ${names[reference]}`)].map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...rows)),
     );
   };
   place.append(
