@@ -11,6 +11,9 @@ inline const Finding kResponsePostsUnknown{
     "name those of the posts: --post CHANNEL=FL, or 'post_channels' in a study"};
 inline const Finding kResponsePostMissing{"response-post-missing", Severity::kError,
                                           "no channel '{}' of a length for post '{}'{}", "name that of the post"};
+inline const Finding kResponsePostTwice{
+    "response-post-twice", Severity::kError, "{} are named as the displacement of one post",
+    "state the measured one of each post: --post '{}=NAME', or 'post_channels' in a study"};
 inline const Finding kResponseWindowEmpty{"response-window-empty", Severity::kError,
                                           "'start' and 'end' leave no samples; the file goes from {} s to {} s",
                                           "correct 'start' and 'end'"};

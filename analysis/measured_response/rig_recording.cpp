@@ -1,10 +1,7 @@
 #include "analysis/measured_response/rig_recording.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -12,53 +9,11 @@
 #include "analysis/files/recording_summary.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/measured_response/findings.h"
-#include "analysis/text/name_meaning.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {
-
-std::string Lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-/// "FL" of "post_FL", "front" of "Post front"; nothing for other names.
-std::optional<std::string> PostNamed(const std::string& name) {
-  constexpr std::string_view kPost = "post";
-  if (!Lower(name).starts_with(kPost)) return std::nullopt;
-  const std::size_t rest = name.find_first_not_of("_- .:", kPost.size());
-  return rest == std::string::npos ? name : name.substr(rest);
-}
-
-bool IsCorner(const std::string& name) {
-  constexpr std::array<std::string_view, 8> kCorners = {"fl", "fr", "rl", "rr", "front", "rear", "left", "right"};
-  return std::find(kCorners.begin(), kCorners.end(), Lower(name)) != kCorners.end();
-}
-
-/// "FL", "front", "left"; empty without a place.
-std::string PlaceOf(const NameMeaning& meaning) {
-  const std::string front = meaning.front > 0 ? "front" : meaning.front < 0 ? "rear" : "";
-  const std::string left = meaning.left > 0 ? "left" : meaning.left < 0 ? "right" : "";
-  if (front.empty() || left.empty()) return front + left;
-  return std::string(meaning.front > 0 ? "F" : "R") + (meaning.left > 0 ? "L" : "R");
-}
-
-/// "Zyl_VL" and "actuator rear", called by their places where these tell them apart.
-std::vector<PostChannel> PostsByMeaning(const std::vector<std::string>& names) {
-  std::vector<PostChannel> posts;
-  std::set<std::string> places;
-  const std::vector<NameMeaning> meanings = MeaningsOf(names, true);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!meanings[i].words.contains("post")) continue;
-    posts.push_back({names[i], PlaceOf(meanings[i])});
-    places.insert(posts.back().post);
-  }
-  if (places.size() < posts.size() || places.contains(""))
-    for (PostChannel& post : posts) post.post = post.channel;
-  return posts;
-}
 
 std::optional<Unit> UnitOf(const RecordedTable& table, std::size_t column) {
   return ParseRecordedUnit(table.unit(column));
@@ -98,9 +53,9 @@ std::string UnknownUnit(const RecordedTable& table, std::size_t column) {
   return "'" + table.names()[column] + "' (" + (unit.empty() ? "no unit" : unit) + ")";
 }
 
-std::string ListOr(const std::vector<std::string>& names, const std::string& none) {
+std::string ListOr(const std::vector<std::string>& names, const std::string& none, const std::string& between = ", ") {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
   return text.empty() ? none : text;
 }
 
@@ -113,7 +68,7 @@ class RigReader {
   std::optional<RigRecording> Read(std::span<const PostChannel> posts) {
     if (!ReadTables()) return std::nullopt;
     std::vector<PostChannel> known(posts.begin(), posts.end());
-    for (std::size_t i = 0; i < tables_.size() && known.empty(); ++i) known = PostsByName(tables_[i]);
+    for (std::size_t i = 0; i < tables_.size() && known.empty(); ++i) known = PostsOf(tables_[i]);
     if (!CheckPosts(known)) return std::nullopt;
     RecordedChannel times = preparation_.time.value_or(kTimeColumn);
     if (const std::string time = TimesColumn(tables_.front()); !preparation_.time && !time.empty())
@@ -125,6 +80,7 @@ class RigReader {
     for (const RecordedTable& table : tables_) {
       std::vector<std::string> no_channels = times.names;
       no_channels.push_back(TimesColumn(table));
+      no_channels.insert(no_channels.end(), named_.commands.begin(), named_.commands.end());
       WantChannels(table, no_channels);
     }
     if (out_.names.empty()) {
@@ -137,6 +93,8 @@ class RigReader {
     if (!recording || !Cut(*recording)) return std::nullopt;
     out_.rate_Hz = recording->rate_Hz();
     out_.preparations = std::move(recording->preparations);
+    if (const std::string posts_by = named_.InWords(); !posts_by.empty())
+      out_.preparations.insert(out_.preparations.begin(), posts_by);
     const auto first = std::make_move_iterator(recording->channels.begin());
     const auto middle = first + static_cast<std::ptrdiff_t>(known.size());
     out_.heights.assign(first, middle);
@@ -156,6 +114,11 @@ class RigReader {
     return true;
   }
 
+  std::vector<PostChannel> PostsOf(const RecordedTable& table) {
+    named_ = PostsByName(Lengths(table));
+    return named_.posts;
+  }
+
   /// Null of a channel of which nothing is stated.
   const RecordedChannel* Stated(const std::string& name) const {
     for (const RecordedChannel& channel : preparation_.channels)
@@ -173,6 +136,11 @@ class RigReader {
     }
     const RecordedTable& table = tables_.front();
     bool good = true;
+    for (const std::vector<std::string>& alike : named_.alike) {
+      diagnostics_.Report(kResponsePostTwice, {table.file(), table.names_line()},
+                          {"'" + ListOr(alike, "", "', '") + "'", alike.front()});
+      good = false;
+    }
     for (const PostChannel& post : posts) {
       // What is no length is read as one where a unit or an integral is stated.
       const RecordedChannel* const stated = Stated(post.channel);
@@ -255,6 +223,8 @@ class RigReader {
   /// The first is that of the file.
   std::vector<RecordedTable> tables_;
   std::vector<RecordedChannel> wanted_;
+  /// Nothing where posts are stated.
+  NamedPosts named_;
   RigRecording out_;
 };
 
@@ -268,18 +238,6 @@ RigSignals RigRecording::Signals() const {
 }
 
 double RigRecording::duration_s() const { return static_cast<double>(heights.front().size()) / rate_Hz; }
-
-std::vector<PostChannel> PostsByName(const RecordedTable& table) {
-  std::vector<PostChannel> posts;
-  std::vector<PostChannel> corners;
-  const std::vector<std::string> names = Lengths(table);
-  for (const std::string& name : names) {
-    if (const std::optional<std::string> post = PostNamed(name)) posts.push_back({name, *post});
-    else if (IsCorner(name)) corners.push_back({name, name});
-  }
-  if (!posts.empty()) return posts;
-  return corners.empty() ? PostsByMeaning(names) : corners;
-}
 
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
                                              Diagnostics& diagnostics, const RigPreparation& preparation) {

@@ -9,15 +9,10 @@
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/frequency_response/rig_signals.h"
+#include "analysis/measured_response/posts_by_name.h"
 #include "analysis/text/diagnostics.h"
 
 namespace fourpost {
-
-/// A post and the channel of its displacement.
-struct PostChannel {
-  std::string channel;
-  std::string post;
-};
 
 /// What is stated of a time history beside the names of its posts.
 struct RigPreparation {
@@ -53,12 +48,8 @@ struct RigRecording {
   double duration_s() const;
 };
 
-/// Posts by the names of channels of a length, where none are stated: those that begin with "post", or else those that
-/// are named FL, FR, RL, RR, front, rear, left or right and nothing more; called by what follows "post". Without any,
-/// those whose names mean a post, such as "Zyl VL" or "actuator rear" (MeaningsOf()), called by their places.
-std::vector<PostChannel> PostsByName(const RecordedTable& table);
-
-/// Reads a time history; posts by PostsByName() where `posts` is empty. Adds every fault; nothing when there was one.
+/// Reads a time history; posts by PostsByName() where `posts` is empty, which `preparations` then names. Adds every
+/// fault; nothing when there was one.
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
                                              Diagnostics& diagnostics, const RigPreparation& preparation = {});
 

@@ -57,21 +57,6 @@ bool IsSmall(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; 
 bool IsCapital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// In lower case; split where no letters are, where a capital follows a small letter, and before digits.
-std::vector<std::string> Split(std::string_view name) {
-  std::vector<std::string> words(1);
-  char last = ' ';
-  for (const char c : name) {
-    const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    const bool begins = !is_word || (IsCapital(c) && IsSmall(last)) || (IsDigit(c) != IsDigit(last));
-    if (begins && !words.back().empty()) words.emplace_back();
-    if (is_word) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    last = c;
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
 /// The corner at the end of "zfl" and "accrr", which goes from the word then.
 std::optional<Corner> CornerBehind(std::string& word) {
   if (word.size() < 3) return std::nullopt;
@@ -154,7 +139,21 @@ NameMeaning MeaningOfWords(const std::vector<std::string>& words, const Places& 
 
 }  // namespace
 
-NameMeaning MeaningOf(std::string_view name) { return MeaningOfWords(Split(name), {}); }
+std::vector<std::string> WordsOf(std::string_view name) {
+  std::vector<std::string> words(1);
+  char last = ' ';
+  for (const char c : name) {
+    const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    const bool begins = !is_word || (IsCapital(c) && IsSmall(last)) || (IsDigit(c) != IsDigit(last));
+    if (begins && !words.back().empty()) words.emplace_back();
+    if (is_word) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    last = c;
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+NameMeaning MeaningOf(std::string_view name) { return MeaningOfWords(WordsOf(name), {}); }
 
 std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool has_sides) {
   std::vector<std::vector<std::string>> all;
@@ -165,7 +164,7 @@ std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool 
     return std::pair(place, std::move(words));
   };
   for (const std::string& name : names) {
-    all.push_back(Split(name));
+    all.push_back(WordsOf(name));
     for (std::size_t i = 0; i < all.back().size(); ++i)
       if (all.back()[i].size() <= 2) kin[others(all.back(), i)].insert(all.back()[i]);
   }

@@ -7,6 +7,9 @@
 
 namespace fourpost {
 
+/// In lower case; split where no letters are, where a capital follows a small letter, and before digits.
+std::vector<std::string> WordsOf(std::string_view name);
+
 /// What the name of a channel, a sensor, a post or a tyre says.
 struct NameMeaning {
   /// "body", "axle", "strut", "tyre" and "post" for all words that mean these; others as they are, in lower case.

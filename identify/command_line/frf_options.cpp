@@ -80,7 +80,7 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
             for (const std::string& text : texts) AddPost(text, command);
           },
           "Channel of a post's displacement and the post's name, CHANNEL=FL; once for each post (default: channels "
-          "named post_FL, FL and the like)")
+          "named post_FL, FL and the like, or with words that mean a post, as 'Zyl VL' and 'actuator rear')")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   subcommand

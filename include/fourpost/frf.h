@@ -14,7 +14,8 @@
 namespace fourpost::api {
 
 struct FrfOptions {
-  /// Channel of the displacement of each post, by the post's name; empty: channels named post_FL, FL and the like.
+  /// Channel of the displacement of each post, by the post's name; empty: channels named post_FL, FL and the
+  /// like, or with words that mean a post.
   std::map<std::string, std::string> posts = {};
   /// Post that responses are relative to; empty: the first that moves most.
   std::string reference = {};
