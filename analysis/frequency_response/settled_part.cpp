@@ -55,6 +55,33 @@ std::vector<std::size_t> LengthsFrom(std::size_t first, std::size_t blocks) {
   return lengths;
 }
 
+/// By the lowest Fourier lines, over the number; 0 where these are too few.
+double DensityAtZero(std::span<const Complex> series, Complex mean) {
+  constexpr std::size_t kFewestLines = 3;
+  constexpr std::size_t kMostLines = 4;
+  const std::size_t n = series.size();
+  const std::size_t lines = n / 6 < kFewestLines ? 0 : std::min(kMostLines, n / 6);
+  double density = 0;
+  for (std::size_t line = 1; line <= lines; ++line)
+    for (const double sign : {-1.0, 1.0}) {
+      Complex sum;
+      for (std::size_t k = 0; k < n; ++k)
+        sum += (series[k] - mean) * std::polar(1.0, sign * 2 * std::numbers::pi * static_cast<double>(line * k % n) /
+                                                        static_cast<double>(n));
+      density += std::norm(sum) / static_cast<double>(n);
+    }
+  return lines > 0 ? density / (2 * static_cast<double>(lines)) : 0;
+}
+
+/// Without what few numbers do not know.
+double PlainVarianceOfMean(std::span<const Complex> series) {
+  const double n = static_cast<double>(series.size());
+  const Complex mean = MeanOf(series);
+  double scatter = 0;
+  for (const Complex& value : series) scatter += std::norm(value - mean);
+  return std::max(scatter / (n - 1), DensityAtZero(series, mean)) / n;
+}
+
 }  // namespace
 
 SettledPart SettledPartOf(std::span<const std::vector<Complex>> signals) {
@@ -85,32 +112,23 @@ SettledPart SettledPartOf(std::span<const std::vector<Complex>> signals) {
 }
 
 double VarianceOfMean(std::span<const Complex> series) {
-  constexpr std::size_t kFewestLines = 3;
-  constexpr std::size_t kMostLines = 4;
   const std::size_t n = series.size();
   if (n < 3) return std::numeric_limits<double>::quiet_NaN();
-  const Complex mean = MeanOf(series);
-  double scatter = 0;
-  for (const Complex& value : series) scatter += std::norm(value - mean);
-  scatter /= static_cast<double>(n - 1);
-  const std::size_t lines = n / 6 < kFewestLines ? 0 : std::min(kMostLines, n / 6);
-  double density = 0;
-  for (std::size_t line = 1; line <= lines; ++line)
-    for (const double sign : {-1.0, 1.0}) {
-      Complex sum;
-      for (std::size_t k = 0; k < n; ++k)
-        sum += (series[k] - mean) * std::polar(1.0, sign * 2 * std::numbers::pi * static_cast<double>(line * k % n) /
-                                                        static_cast<double>(n));
-      density += std::norm(sum) / static_cast<double>(n);
-    }
-  if (lines > 0) density /= 2 * static_cast<double>(lines);
-  const double variance = std::max(scatter, density) / static_cast<double>(n);
-  // Few numbers know their scatter poorly: of n complex ones there are 2 n - 2 degrees of freedom, of nine 1.08 times
-  // the deviation.
+  // Few numbers know their scatter poorly, of nine by 1.08 times the deviation.
   constexpr std::size_t kFew = 9;
-  if (n >= kFew) return variance;
+  return PlainVarianceOfMean(series) * (n < kFew ? StudentFactor(2 * static_cast<double>(n) - 2) : 1);
+}
+
+double VarianceOfMean(std::span<const double> series) {
+  const std::size_t n = series.size();
+  if (n < 3) return std::numeric_limits<double>::quiet_NaN();
+  return PlainVarianceOfMean(std::vector<Complex>(series.begin(), series.end())) *
+         StudentFactor(static_cast<double>(n) - 1);
+}
+
+double StudentFactor(double degrees_of_freedom) {
   constexpr double kNormal95 = 1.959964;
-  return variance * std::pow(StudentT95(2 * static_cast<double>(n) - 2) / kNormal95, 2);
+  return std::pow(StudentT95(degrees_of_freedom) / kNormal95, 2);
 }
 
 }  // namespace fourpost

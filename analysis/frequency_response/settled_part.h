@@ -31,4 +31,11 @@ SettledPart SettledPartOf(std::span<const std::vector<std::complex<double>>> sig
 /// poorly. Of fewer than three numbers NaN.
 double VarianceOfMean(std::span<const std::complex<double>> series);
 
+/// The same of real numbers, n of which have n - 1 degrees of freedom where complex ones have 2 n - 2: Student's
+/// distribution for any number of them. Lines of both signs are one and the same.
+double VarianceOfMean(std::span<const double> series);
+
+/// By which Student's distribution enlarges a variance that is known by that many degrees of freedom, for 95 %.
+double StudentFactor(double degrees_of_freedom);
+
 }  // namespace fourpost

@@ -172,11 +172,12 @@ class DwellFit {
     out.amplitude = std::abs(reference);
     out.post_distortion = PostDistortion(fits, out.shares) / out.amplitude;
     for (std::size_t s = posts_; s < all_.size(); ++s) {
-      const std::span<const double> offsets = std::span(cycles.offset[s]).subspan(settled);
+      const double mean_variance = VarianceOfMean(std::span<const double>(cycles.offset[s]).subspan(settled));
       DwellChannel channel{.response = fits[s].phasor.front() / reference,
                            .mean = fits[s].mean,
-                           .mean_variance = VarianceOfMean(std::vector<Complex>(offsets.begin(), offsets.end())),
-                           .drift = fits[s].drift};
+                           .mean_variance = mean_variance,
+                           .drift_square = DriftSquare(fits[s].drift, mean_variance, cycles.blocks() - settled),
+                           .harmonics = {}};
       for (const Complex& phasor : fits[s].phasor) channel.harmonics.push_back(std::abs(phasor));
       std::vector<Complex> differences;
       for (std::size_t k = settled; k < cycles.blocks(); ++k)
@@ -184,6 +185,12 @@ class DwellFit {
       channel.variance = VarianceOfMean(differences);
       out.channels.push_back(std::move(channel));
     }
+  }
+
+  /// Less what noise makes of it, which of n even values has 12 / n of their variance, where their mean has 1 / n.
+  static double DriftSquare(double drift, double mean_variance, std::size_t blocks) {
+    constexpr double kOfNoise = 12;
+    return drift * drift - kOfNoise * mean_variance / StudentFactor(static_cast<double>(blocks) - 1);
   }
 
   double PostDistortion(const std::vector<SineFit>& fits, const PostShares& shares) const {
@@ -209,12 +216,6 @@ class DwellFit {
 /// Adds what transients may have left in the means. `responses`: of one record, in its order.
 void AddTransients(std::vector<DwellResponse>& responses, double rate_Hz) {
   constexpr double kSlowest_Hz = 0.5;
-  /// Variance of a line's fall, over that of its mean: of n even values 12 / n to 1 / n.
-  constexpr double kOfNoise = 12;
-  std::vector<std::vector<double>> squares;
-  for (const DwellResponse& response : responses)
-    for (std::vector<double>& of_channels = squares.emplace_back(); const DwellChannel& channel : response.channels)
-      of_channels.push_back(channel.drift * channel.drift - kOfNoise * channel.mean_variance);
   for (std::size_t r = 0; r < responses.size(); ++r) {
     const double duration_s = static_cast<double>(responses[r].last - responses[r].first) / rate_Hz;
     const double share = 1 / (2 * std::numbers::pi * kSlowest_Hz * duration_s);
@@ -222,7 +223,7 @@ void AddTransients(std::vector<DwellResponse>& responses, double rate_Hz) {
     const std::size_t last = std::min(r + 1, responses.size() - 1);
     for (std::size_t c = 0; c < responses[r].channels.size(); ++c) {
       double sum = 0;
-      for (std::size_t near = first; near <= last; ++near) sum += squares[near][c];
+      for (std::size_t near = first; near <= last; ++near) sum += responses[near].channels[c].drift_square;
       responses[r].channels[c].mean_variance +=
           share * share * std::max(0.0, sum) / static_cast<double>(last - first + 1);
     }
@@ -232,10 +233,10 @@ void AddTransients(std::vector<DwellResponse>& responses, double rate_Hz) {
 RestLevel LevelOf(std::span<const double> still, double rate_Hz) {
   constexpr double kBlock_s = 0.1;
   const auto size = static_cast<std::size_t>(std::max(1.0, std::round(kBlock_s * rate_Hz)));
-  std::vector<Complex> means;
+  std::vector<double> means;
   for (std::size_t first = 0; first + size <= still.size(); first += size)
-    means.emplace_back(Mean(still.subspan(first, size)));
-  return {.mean = Mean(still), .variance = VarianceOfMean(means)};
+    means.push_back(Mean(still.subspan(first, size)));
+  return {.mean = Mean(still), .variance = VarianceOfMean(std::span<const double>(means))};
 }
 
 }  // namespace

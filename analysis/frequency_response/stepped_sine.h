@@ -22,8 +22,8 @@ struct DwellChannel {
   double mean = 0;
   /// Of it: by the scatter of cycles, and by what the last change of frequency may have left in it.
   double mean_variance = 0;
-  /// Of its straight drift over these cycles, in the channel's unit.
-  double drift = 0;
+  /// Of the straight drift over these cycles, less what noise makes of it.
+  double drift_square = 0;
   /// Amplitudes of harmonics 1, 2, ... in the channel's unit.
   std::vector<double> harmonics;
 

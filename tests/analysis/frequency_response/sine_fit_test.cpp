@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/frequency_response/settled_part.h"
+#include "analysis/signals/deviation.h"
 #include "analysis/signals/random_stream.h"
 
 namespace fourpost {
@@ -118,6 +119,23 @@ TEST(VarianceOfMean, OfFewNumbersCovers) {
     }
     // 2000 numbers: 95 % within 1.5, three standard deviations.
     EXPECT_NEAR(100.0 * within / (2.0 * kSeries), 95, 1.5) << size;
+  }
+}
+
+// Offsets of cycles are real: half as many degrees of freedom, also of twelve and of correlated ones.
+TEST(VarianceOfMean, OfFewRealNumbersCovers) {
+  for (const std::size_t size : {3U, 4U, 5U, 6U, 7U, 8U, 9U, 12U}) {
+    int within = 0;
+    constexpr int kSeries = 4000;
+    for (std::uint64_t seed = 1; seed <= kSeries; ++seed) {
+      RandomStream random(seed, "test");
+      std::vector<double> series;
+      for (std::size_t k = 0; k < size; ++k) series.push_back(random.Normal());
+      const double limit = 1.96 * std::sqrt(VarianceOfMean(std::span<const double>(series)));
+      within += std::abs(Mean(series)) < limit ? 1 : 0;
+    }
+    // 4000 numbers: 95 % within 1.04, three standard deviations.
+    EXPECT_NEAR(100.0 * within / kSeries, 95, 1.04) << size;
   }
 }
 
