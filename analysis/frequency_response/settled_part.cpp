@@ -57,10 +57,10 @@ std::vector<std::size_t> LengthsFrom(std::size_t first, std::size_t blocks) {
 
 /// By the lowest Fourier lines, over the number; 0 where these are too few.
 double DensityAtZero(std::span<const Complex> series, Complex mean) {
-  constexpr std::size_t kFewestLines = 3;
-  constexpr std::size_t kMostLines = 4;
+  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kMost = 4;
   const std::size_t n = series.size();
-  const std::size_t lines = n / 6 < kFewestLines ? 0 : std::min(kMostLines, n / 6);
+  const std::size_t lines = n / 6 < kFewest ? 0 : std::min(kMost, n / 6);
   double density = 0;
   for (std::size_t line = 1; line <= lines; ++line)
     for (const double sign : {-1.0, 1.0}) {
