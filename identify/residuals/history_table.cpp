@@ -32,7 +32,11 @@ std::string Percent(const std::optional<double>& percent) { return percent ? Rou
 
 }  // namespace
 
-std::string YardstickTable(const std::vector<HistoryMisfit>& misfits) {
+std::string OnceExplained(const std::string& explanation, const std::string& above) {
+  return above.find(explanation) == std::string::npos ? explanation : "Without physics, as explained above:\n";
+}
+
+std::string YardstickTable(const std::vector<HistoryMisfit>& misfits, const std::string& above) {
   const auto has = [&](const auto& value) {
     return std::any_of(misfits.begin(), misfits.end(),
                        [&](const HistoryMisfit& one) { return value(one.yardstick).has_value(); });
@@ -56,9 +60,12 @@ std::string YardstickTable(const std::vector<HistoryMisfit>& misfits) {
     row.push_back(allowed ? Percent(std::max(0.0, misfit.nmse_percent - *allowed)) : "-");
     table.Add(row);
   }
-  return "Without physics: the best linear model from the same inputs (ARX), coherence, and what differs between "
-         "repeats.\nNMSE above the least of these is the model's: a better one exists. Below it, the data may allow no "
-         "more.\n" +
+  return OnceExplained(
+             "Without physics: the best linear model from the same inputs (ARX), coherence, and what differs between "
+             "repeats.\nNMSE above the least of these is the model's: a better one exists. Below it, the data may "
+             "allow "
+             "no more.\n",
+             above) +
          table.Format();
 }
 

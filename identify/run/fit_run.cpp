@@ -113,6 +113,11 @@ Eigen::VectorXd FreeValues(const LoadedStudy& loaded, const FitResult& fit) {
   return values;
 }
 
+/// Of all experiments, under one heading.
+std::string UnseenText(const ExperimentResults& results) {
+  return results.unseen_text.empty() ? "" : "Not fitted:\n" + results.unseen_text;
+}
+
 bool IsLarge(const FitResult& fit) { return fit.Misfit() > kLargeMisfit; }
 
 /// Of additions that explain the residuals together.
@@ -336,7 +341,7 @@ class Fitter {
     Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
     results.json["missing"] = MissingJson(missing, loaded, fit);
     if (request_.growth) results.json["growth"] = GrownJson(*request_.growth);
-    run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
+    run.text = FitText(fit, run.verdict, conclusions, results.text + UnseenText(results), results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;
     files.emplace_back("parameters.csv",

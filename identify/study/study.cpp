@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/files/text_file.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/problems/test_problem.h"
 #include "identify/refine/search_method_list.h"
 #include "identify/study/experiment_kinds.h"
@@ -56,6 +57,7 @@ class StudyReader {
     ReadStudyAbout(top);
     for (const ExperimentKind* kind : kinds)
       if (std::unique_ptr<Experiment> experiment = kind->read(top)) study_.experiments.Add(std::move(experiment));
+    RequireFitted(top);
     if (top.Has("free")) ReadFree(top.Get("free"));
     if (top.Has("start")) ReadStart(top.Get("start"));
     if (top.Has("control")) study_.control = ReadStudyControl(top.Get("control"), file_, diagnostics_);
@@ -125,6 +127,17 @@ class StudyReader {
     if (!present) return name;
     Fault(node, kMethodFormer, {name, std::string(*present)});
     return std::string(*present);
+  }
+
+  /// Sines may all be kept for validation where something else is fitted.
+  void RequireFitted(const StrictMap& top) {
+    bool is_kept = false;
+    for (const Experiment& experiment : study_.experiments)
+      for (const ExperimentFile& file : experiment.Files()) {
+        if (file.use == ExperimentFile::Use::kFitted) return;
+        is_kept |= file.use == ExperimentFile::Use::kValidation;
+      }
+    if (is_kept && top.Has("recordings")) Fault(top.Get("recordings"), kSinesNotFitted);
   }
 
   StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {

@@ -9,6 +9,7 @@ from program import SOURCE, ProgramTest
 
 VEHICLE = "urdf/landrover110_linkage.urdf"
 MODEL1 = "studies/landrover110/model1.yaml"
+JOINT = "studies/landrover110/model1_joint.yaml"
 MODEL2 = "studies/landrover110/model2.yaml"
 PARTS = ("urdf", "meshes", "studies/landrover110")
 
@@ -44,7 +45,48 @@ class Validation(FitTest):
         predicted = json.loads(self.run_program("predict", "result", "--recording", other, "--mode", "pitch", "--json").stdout)
         for channel in predicted["channels"]:
             self.assertAlmostEqual(channel["nmse_percent"] / unseen[channel["name"]]["nmse_percent"], 1, places=2)
-        self.assertNotIn("validation", json.dumps(result["recordings"]))
+        # The fit has not seen it: without it all comes out alike.
+        study.write_text(study.read_text().replace(
+            "  - name: pitch\n    file: pitch_frf.csv\n    posts: pitch\n    use: validation\n", ""))
+        self.run_program("fit", "--no-suggest", MODEL1, "-o", "alone", "--seed", "3")
+        alone = json.loads(self.read("alone/result.json"))
+        for key in ("cost", "residuals", "parameters", "channels"):
+            self.assertEqual(alone[key], result[key])
+
+    def test_fits_histories_and_predicts_all_stepped_sines(self):
+        study = self.folder / JOINT
+        text = study.read_text().replace("    posts: heave\n", "    posts: heave\n    use: validation\n")
+        text = text.replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n")
+        study.write_text(text.replace("evaluations: 100", "evaluations: 5").replace("starts: 4", "starts: 1"))
+        answer = self.run_program("fit", "--no-suggest", JOINT, "-o", "result")
+        result = self.result()
+        self.assertEqual(result["recordings"], [])
+        self.assertEqual({one["recording"] for one in result["validation"]}, {"bounce", "pitch"})
+        self.assertEqual({one["recording"] for one in result["channels"]}, {"bounce_sweep"})
+        self.assertIn("not fitted", self.read("result/response.svg"))
+        self.assertEqual(answer.stdout.count("Not fitted:"), 1)
+        predicted = self.run_program("predict", "result", "--recording", study.parent / "pitch_frf.csv", "--mode", "pitch",
+                                     "--json")
+        self.assertGreater(len(json.loads(predicted.stdout)["channels"]), 0)
+
+    def test_explains_tables_of_several_kinds_once(self):
+        study = self.folder / JOINT
+        text = study.read_text().replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n")
+        history = text[text.index("  - name: bounce_sweep"):text.index("# Load cells at rest")]
+        kept = history.replace("name: bounce_sweep\n", "name: kept\n    use: validation\n    end: 20 s\n")
+        text = text.replace(history, history.rstrip() + "\n" + kept)
+        study.write_text(text.replace("evaluations: 100", "evaluations: 5").replace("starts: 4", "starts: 1"))
+        text = self.run_program("fit", "--no-suggest", JOINT, "-o", "result").stdout
+        self.assertEqual(text.count("Not fitted:"), 1)
+        explained = [line for line in text.split("\n") if line.startswith("Without physics: ")]
+        self.assertEqual(len(explained), len(set(explained)))
+        self.assertIn("Without physics, as explained above:", text)
+
+    def test_needs_something_to_fit(self):
+        study = self.folder / MODEL1
+        text = study.read_text().replace("    posts: heave\n", "    posts: heave\n    use: validation\n")
+        study.write_text(text.replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n"))
+        self.assert_finding(self.run_program("fit", MODEL1, "-o", "result", code=3).stderr, "sines-not-fitted")
 
     def test_leaves_out_what_it_cannot_predict(self):
         study = self.folder / MODEL1

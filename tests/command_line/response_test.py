@@ -35,6 +35,20 @@ class ResponseTest(ProgramTest):
         self.assertFalse((self.folder / "result").exists())
 
 
+class OfAStudy(ResponseTest):
+    def test_holds_recordings_kept_for_validation(self):
+        self.copy("studies/landrover110")
+        study = self.folder / "studies/landrover110/model1.yaml"
+        study.write_text(study.read_text().replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n"))
+        text = self.respond(str(study), "--engine reduced -o result").stdout
+        self.assertIn("Kept for validation:", text)
+        result = self.result()
+        self.assertEqual([one["name"] for one in result["recordings"]], ["bounce", "pitch"])
+        self.assertEqual({one["recording"] for one in result["validation"]}, {"pitch"})
+        self.assertEqual(len(result["validation"]), len(result["channels"]))
+        self.assertIn("\npitch,", self.read("result/response.csv"))
+
+
 class Response(ResponseTest):
     def test_is_a_table_and_a_folder(self):
         outcome = self.respond(CAR, "--frequencies 0.5Hz:20Hz:30 -o result")

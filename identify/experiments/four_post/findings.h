@@ -9,9 +9,10 @@ namespace fourpost {
 
 inline const Finding kSinesEmpty{"sines-empty", Severity::kError, "'recordings' must be a list with at least one entry",
                                  "add one, or remove the key"};
-inline const Finding kSinesNotFitted{"sines-not-fitted", Severity::kError, "all 'recordings' are kept for validation",
-                                     "fit one at least: 'use: fit'"};
-inline const Finding kSineUse{"sine-use", Severity::kError, "'use' of {} must be fit or validation"};
+inline const Finding kSinesNotFitted{"sines-not-fitted", Severity::kError, "all recordings are kept for validation",
+                                     "fit one at least, stepped sine or history: 'use: fit'"};
+inline const Finding kSineUse{"sine-use", Severity::kError, "'use' of {} must be fit or validation",
+                              "write `use: validation`, or leave it out for a recording to fit"};
 inline const Finding kSineTwice{"sine-twice", Severity::kError, "two recordings have the name '{}'",
                                 "rename one with 'name'"};
 inline const Finding kSinePatternUnknown{"sine-pattern-unknown", Severity::kError, "unknown pattern '{}' of 'posts'{}"};

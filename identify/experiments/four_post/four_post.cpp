@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "analysis/files/json_text.h"
 #include "analysis/files/recording_layout.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
@@ -25,7 +24,6 @@
 #include "identify/experiments/four_post/response_bands.h"
 #include "identify/experiments/four_post/response_chart.h"
 #include "identify/experiments/four_post/response_discrepancy.h"
-#include "identify/experiments/four_post/response_misfit.h"
 #include "identify/experiments/four_post/response_misfit_json.h"
 #include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
@@ -33,11 +31,7 @@
 #include "identify/experiments/four_post/wheelpan_lint.h"
 #include "identify/fit/fit.h"
 #include "identify/missing_force/missing_force.h"
-#include "vehicles/engine/steady_response.h"
-#include "vehicles/multibody/simulation_error.h"
-#include "vehicles/requests/channel_json.h"
 #include "vehicles/requests/engine_text.h"
-#include "vehicles/requests/solve_sweep.h"
 #include "vehicles/requests/sweep_files.h"
 
 namespace fourpost {
@@ -103,46 +97,21 @@ void AddKinematics(const FourPostPlan& plan, const std::vector<MeasuredRun>& run
   results.text += '\n';
 }
 
-/// A misfit needs an answer at every frequency; nothing when interrupted before.
-std::optional<SteadyResponse> WholeAnswer(const MeasuredRun& run, SteadySolver& solver, Engine engine,
-                                          const WorkHooks& hooks) {
-  std::optional<SteadyResponse> answer = SolveSweep(solver, run.name, run.excitation, engine, kFitBalance, hooks);
-  if (!answer) return std::nullopt;
-  if (answer->unanswered.empty()) return answer;
-  if (hooks.IsStopped()) return std::nullopt;
-  const Unanswered& first = answer->unanswered.front();
-  throw SimulationError(kResponseUnanswered, {run.name, Rounded(first.frequency_Hz, 3), WithoutId(first.why)});
-}
-
-Json AnswerJson(const MeasuredRun& run, const SteadyResponse& answer) {
-  Json channels = Json::array();
-  for (const ChannelResponse& channel : answer.response.channels) channels.push_back(ChannelJson(channel));
-  Json engines = Json::array();
-  for (const Engine engine : answer.engine_at) engines.push_back(EngineName(engine));
-  return {{"name", run.name},
-          {"engine", EngineName(answer.engine)},
-          {"linear_kinematics_error", KinematicsJson(answer.kinematics_error, answer.not_estimated)},
-          {"frequency_Hz", answer.response.frequency_Hz},
-          {"post_amplitude_m", answer.response.amplitude_m},
-          {"engine_at", engines},
-          {"channels", channels}};
-}
-
 /// What the fitted vehicle makes of recordings that the fit has not seen.
-void AddValidation(const std::vector<MeasuredRun>& unseen, const Vehicle& vehicle, const CondensedModel& model,
+void AddValidation(const std::vector<MeasuredRun>& unseen, const std::vector<FrequencyResponse>& predicted,
                    ExperimentResults& results) {
   if (unseen.empty()) return;
-  const std::vector<FrequencyResponse> predicted = ModelledResponses(model, vehicle.sensors, unseen);
-  Json& list = results.json["validation"] = Json::array();
-  for (std::size_t r = 0; r < unseen.size(); ++r)
-    for (const ChannelMisfit& misfit : ResponseMisfits({unseen[r]}, {predicted[r]})) {
-      Json entry = {{"recording", unseen[r].name}, {"name", misfit.name}};
-      entry.update(ErrorsJson(misfit));
-      entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
-      list.push_back(std::move(entry));
-    }
+  results.json["validation"] = UnseenMisfitsJson(unseen, predicted);
   results.unseen_text +=
-      "Not fitted:\n" + MisfitTable(ResponseMisfits(unseen, predicted), RecordingMisfits(unseen, predicted)) + '\n';
+      MisfitTable(ResponseMisfits(unseen, predicted), RecordingMisfits(unseen, predicted), results.text) + '\n';
+}
+
+/// In the band, of runs that stand first in `modelled`.
+std::vector<ChannelMisfit> ShownMisfits(const std::vector<MeasuredRun>& drawn,
+                                        const std::vector<FrequencyResponse>& modelled, const FourPostPlan& plan) {
+  const std::vector<FrequencyResponse> of_drawn(modelled.begin(), modelled.begin() + std::ssize(drawn));
+  return ResponseMisfits(InBand(drawn, plan.band_lower_Hz, plan.band_upper_Hz),
+                         InBand(of_drawn, plan.band_lower_Hz, plan.band_upper_Hz));
 }
 
 /// One per run; none where a fit has no deviations.
@@ -204,6 +173,7 @@ void FourPost::AddTo(Sha256& data, Sha256& settings) const {
 }
 
 std::optional<ResidualBlock> FourPost::Residuals(const Subject& subject) const {
+  if (runs.empty()) return std::nullopt;
   return FourPostResiduals(subject.Condensed(), RunsInBand(), plan.model_error, subject.calibrations(),
                            subject.integrates());
 }
@@ -235,34 +205,48 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   const Vehicle& vehicle = subject.vehicle();
   const CondensedModel model = subject.Condensed()->At(fit.values);
   const CondensedModel start = subject.Condensed()->At(vehicle.ParameterValues());
-  const std::vector<MeasuredRun> in_band = RunsInBand();
   std::vector<MeasuredRun> all = runs;
   all.insert(all.end(), validation.begin(), validation.end());
   const std::vector<FrequencyResponse> modelled = ModelledResponses(model, vehicle.sensors, all);
+  ExperimentResults results;
+  for (const LeftOutRecording& recording : left_out_)
+    results.json["validation_left_out"].push_back(LeftOutJson(recording));
+  const std::vector<OctaveDiscrepancy> discrepancies = AddFitted(subject, fit, model, results);
+  const std::vector<FrequencyResponse> predicted(modelled.begin() + std::ssize(runs), modelled.end());
+  AddValidation(InBand(validation, plan.band_lower_Hz, plan.band_upper_Hz),
+                InBand(predicted, plan.band_lower_Hz, plan.band_upper_Hz), results);
+  const std::vector<MeasuredRun>& drawn = runs.empty() ? validation : runs;
+  results.files.emplace_back(
+      "response.csv",
+      ResponseCsv(all, modelled, plan.band_lower_Hz, plan.band_upper_Hz, ModelledResponses(start, vehicle.sensors, all),
+                  BandsOf(subject, all, modelled, fit.Spread(), discrepancies, fit.options.threads)));
+  if (!drawn.empty())
+    results.files.emplace_back("response.svg", ResponseSvg(drawn, modelled, ShownMisfits(drawn, modelled, plan),
+                                                           plan.band_lower_Hz, plan.band_upper_Hz));
+  if (fit.end != FitEnd::kInterrupted && !runs.empty())
+    AddMissingForce(subject, fit.values, fit.options.threads, results);
+  return results;
+}
+
+std::vector<OctaveDiscrepancy> FourPost::AddFitted(const Subject& subject, const FitResult& fit,
+                                                   const CondensedModel& model, ExperimentResults& results) const {
+  const Vehicle& vehicle = subject.vehicle();
+  const std::vector<MeasuredRun> in_band = RunsInBand();
   const std::vector<FrequencyResponse> fitted = ModelledResponses(model, vehicle.sensors, in_band);
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, fitted);
   const std::vector<ChannelMisfit> by_recording = RecordingMisfits(in_band, fitted);
   const std::vector<OctaveDiscrepancy> discrepancies = ResponseDiscrepancies(in_band, fitted);
-  ExperimentResults results;
-  for (const LeftOutRecording& recording : left_out_)
-    results.json["validation_left_out"].push_back(LeftOutJson(recording));
   results.json.update({{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},
                        {"recordings", RecordingsJson(vehicle, runs, by_recording)},
                        {"channels", ResponseMisfitsJson(misfits)},
                        {"discrepancy", DiscrepancyJson(discrepancies)},
                        {"covered", CoveredJson(CoveredBySines(vehicle, fit.values, in_band))}});
+  if (runs.empty()) return discrepancies;
   LintTyrePulls(vehicle, fit.values, in_band, results.findings);
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';
   if (fit.end != FitEnd::kInterrupted) AddKinematics(plan, in_band, vehicle, fit.values, results);
-  AddValidation(InBand(validation, plan.band_lower_Hz, plan.band_upper_Hz), vehicle, model, results);
-  results.files = {
-      {"response.csv", ResponseCsv(all, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
-                                   ModelledResponses(start, vehicle.sensors, all),
-                                   BandsOf(subject, all, modelled, fit.Spread(), discrepancies, fit.options.threads))},
-      {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
-  if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, fit.options.threads, results);
-  return results;
+  return discrepancies;
 }
 
 void FourPost::AddMissingForce(const Subject& subject, const std::vector<double>& values, int threads,
@@ -278,42 +262,9 @@ void FourPost::AddMissingForce(const Subject& subject, const std::vector<double>
     results.files.emplace_back("missing_force.svg", std::move(picture));
 }
 
-std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::optional<Engine> engine,
-                                                   const WorkHooks& hooks) const {
-  std::vector<MeasuredRun> answered = RunsInBand();
-  ExperimentResults results;
-  LintTyrePulls(subject.vehicle(), subject.vehicle().ParameterValues(), answered, results.findings);
-  hooks.Find(results.findings);
-  SteadySolver solver(subject.vehicle());
-  RequireStable(subject.vehicle(), solver);
-  std::vector<FrequencyResponse> modelled;
-  std::string engines;
-  for (const MeasuredRun& run : answered) {
-    const std::optional<SteadyResponse> answer = WholeAnswer(run, solver, engine.value_or(Engine::kAuto), hooks);
-    if (!answer) break;
-    results.json["recordings"].push_back(AnswerJson(run, *answer));
-    engines += EngineText(run.name, *answer);
-    modelled.push_back(answer->response);
-    if (hooks.IsStopped()) break;
-  }
-  if (modelled.size() < answered.size())
-    hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(answered.size()) +
-               " recordings are answered");
-  if (modelled.empty()) return std::nullopt;
-  results.is_whole = modelled.size() == answered.size();
-  answered.resize(modelled.size());
-  const std::vector<ChannelMisfit> misfits = ResponseMisfits(answered, modelled);
-  for (const ChannelMisfit& misfit : misfits)
-    results.json["channels"].push_back({{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
-  results.text = MisfitTable(misfits, RecordingMisfits(answered, modelled)) + engines;
-  results.files = {{"response.csv", ResponseCsv(answered, modelled, plan.band_lower_Hz, plan.band_upper_Hz)},
-                   {"response.svg", ResponseSvg(answered, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
-  return results;
-}
-
 bool FourPost::Reads(const RecordedTable& table) const {
   // Of a time history responses are made.
-  return IsSteppedSine(table) || IsTimeHistory(table) || TimesAsIn(plan.recordings, table);
+  return IsSteppedSine(table) || IsTimeHistory(table) || TimesAsIn(plan.Stated(), table);
 }
 
 }  // namespace fourpost

@@ -6,6 +6,7 @@
 
 #include "identify/experiments/experiment.h"
 #include "identify/experiments/four_post/four_post_data.h"
+#include "identify/experiments/four_post/response_discrepancy.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -29,7 +30,7 @@ class FourPost : public Experiment {
   void Load(const Subject& subject, Diagnostics& diagnostics) override;
   void AddTo(Sha256& data, Sha256& settings) const override;
   std::optional<ResidualBlock> Residuals(const Subject& subject) const override;
-  bool IsOfSteadyMotions() const override { return true; }
+  bool IsOfSteadyMotions() const override { return !runs.empty(); }
   bool MeasuresForce() const override;
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
   void AddRecordings(AuditedVehicle& audited) const override;
@@ -51,6 +52,10 @@ class FourPost : public Experiment {
   /// The force that the fitted vehicle lacks in the measured motion, as `missing_force` and files of its folder.
   void AddMissingForce(const Subject& subject, const std::vector<double>& values, int threads,
                        ExperimentResults& results) const;
+
+  /// Tables, keys and findings of the runs that were fitted; returns how far they are from the model.
+  std::vector<OctaveDiscrepancy> AddFitted(const Subject& subject, const FitResult& fit, const CondensedModel& model,
+                                           ExperimentResults& results) const;
 
   FourPostPlan plan;
   /// To fit, after Load().

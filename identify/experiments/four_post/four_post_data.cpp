@@ -285,7 +285,7 @@ void AddChannelsByName(const Vehicle& vehicle, FourPostPlan& plan) {
   if (!plan.takes_others_by_name) return;
   plan.takes_others_by_name = false;
   std::vector<std::string> common = NamesOf(vehicle.sensors);
-  for (const StudyRecording& recording : plan.recordings) {
+  for (const StudyRecording& recording : plan.Stated()) {
     Diagnostics left_to_loading;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording.file, left_to_loading);
     if (!table) continue;
@@ -295,7 +295,7 @@ void AddChannelsByName(const Vehicle& vehicle, FourPostPlan& plan) {
         recorded.insert(recorded.end(), beside->names().begin(), beside->names().end());
     std::erase_if(common, [&](const std::string& name) { return !IndexOf(name, recorded); });
   }
-  AddByName(common, common, plan.recordings.empty() ? 0 : plan.recordings.front().line, plan.channels);
+  AddByName(common, common, plan.Stated().empty() ? 0 : plan.Stated().front().line, plan.channels);
 }
 
 std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics) {
@@ -329,6 +329,23 @@ bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz) {
   // Frequencies of dwells are measured, those of a band are round.
   constexpr double kMeasured = 1e-3;
   return frequency_Hz >= (1 - kMeasured) * lower_Hz && frequency_Hz <= (1 + kMeasured) * upper_Hz;
+}
+
+std::vector<FrequencyResponse> InBand(const std::vector<FrequencyResponse>& modelled, double lower_Hz,
+                                      double upper_Hz) {
+  std::vector<FrequencyResponse> out = modelled;
+  for (FrequencyResponse& response : out) {
+    std::vector<bool> keep;
+    for (const double f : response.frequency_Hz) keep.push_back(IsInBand(f, lower_Hz, upper_Hz));
+    response.frequency_Hz = Kept(response.frequency_Hz, keep);
+    response.amplitude_m = Kept(response.amplitude_m, keep);
+    for (ChannelResponse& channel : response.channels) {
+      channel.response = Kept(channel.response, keep);
+      channel.mean = Kept(channel.mean, keep);
+      channel.second_harmonic = Kept(channel.second_harmonic, keep);
+    }
+  }
+  return out;
 }
 
 std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz) {

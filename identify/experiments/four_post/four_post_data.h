@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/measured_response/measured_response.h"
+#include "analysis/signals/frequency_response.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/study_file/channel_source.h"
 #include "identify/study_file/left_out_recording.h"
@@ -90,6 +91,9 @@ struct FourPostPlan {
   double band_upper_Hz = 0;
   int band_line = 0;
   ModelError model_error;
+
+  /// Recordings that a vehicle is fitted to; of a plan without any, those kept for validation.
+  const std::vector<StudyRecording>& Stated() const { return recordings.empty() ? validation : recordings; }
 };
 
 /// Adds the sensors to `channels` that are measured by name. Faults of files are left to LoadRuns().
@@ -109,5 +113,7 @@ bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz);
 
 /// The runs with only the frequencies of the band.
 std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz);
+/// The same of what a model answers.
+std::vector<FrequencyResponse> InBand(const std::vector<FrequencyResponse>& modelled, double lower_Hz, double upper_Hz);
 
 }  // namespace fourpost

@@ -49,7 +49,7 @@ std::vector<std::string> ChannelsIn(const std::filesystem::path& recording) {
 std::optional<SourceChannel> TimesOf(const std::filesystem::path& recording, const FourPostPlan& plan) {
   Diagnostics unheard;
   const std::optional<RecordedTable> table = ReadRecordedTable(recording, unheard);
-  return table ? TimesAsIn(plan.recordings, *table) : std::nullopt;
+  return table ? TimesAsIn(plan.Stated(), *table) : std::nullopt;
 }
 
 /// Sum over the channels, each at most 1: a strut that friction holds at low frequencies says nothing of the pattern.
@@ -161,7 +161,7 @@ class SinePrediction {
   MeasuredRun Load(Diagnostics& findings) const {
     FourPostPlan plan = plan_;
     plan.file = subject_.study_file().string();
-    StudyRecording recording = is_history_ ? FirstWithPosts() : plan.recordings.front();
+    StudyRecording recording = is_history_ ? FirstWithPosts() : plan.Stated().front();
     recording.file = request_.recording;
     recording.name = request_.recording.stem().string();
     // The window and the files beside it are those of the other recording.
@@ -203,7 +203,7 @@ class SinePrediction {
 
   /// Whose channels of posts and filter are those of any other; where none states them, posts are known by name.
   const StudyRecording& FirstWithPosts() const {
-    const std::vector<StudyRecording>& all = plan_.recordings;
+    const std::vector<StudyRecording>& all = plan_.Stated();
     const auto found =
         std::find_if(all.begin(), all.end(), [](const StudyRecording& recording) { return recording.IsOfHistory(); });
     return found == all.end() ? all.front() : *found;

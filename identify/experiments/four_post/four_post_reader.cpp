@@ -63,7 +63,6 @@ class FourPostReader {
         map.Fault(map.Get("use"), kSineUse, {"recording '" + recording.name + "'"});
       (use == "validation" ? plan_.validation : plan_.recordings).push_back(std::move(recording));
     }
-    if (plan_.recordings.empty()) Fault(list, kSinesNotFitted);
   }
 
   void ReadTimes(const StrictMap& map, StudyRecording& recording) {
@@ -86,7 +85,7 @@ class FourPostReader {
   std::string Pattern(const YAML::Node& node) {
     const std::string name(PatternName(node.Scalar()));
     if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
-      Fault(node, kSinePatternUnknown, {name, SuggestLegal(name, kPostPatterns)});
+      Fault(node, kSinePatternUnknown, {name, SuggestLegal(name, kPostPatternNames)});
     return name;
   }
 

@@ -7,7 +7,9 @@
 
 namespace fourpost {
 
-/// Misfit of each channel, and of all together; then of each recording, where there are several.
-std::string MisfitTable(const std::vector<ChannelMisfit>& misfits, const std::vector<ChannelMisfit>& recordings);
+/// Misfit of each channel, and of all together; then of each recording, where there are several. What `above` explains
+/// is not explained again.
+std::string MisfitTable(const std::vector<ChannelMisfit>& misfits, const std::vector<ChannelMisfit>& recordings,
+                        const std::string& above = "");
 
 }  // namespace fourpost

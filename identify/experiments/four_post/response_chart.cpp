@@ -99,9 +99,11 @@ class ResponseChart {
 std::string ResponseSvg(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
                         const std::vector<ChannelMisfit>& channels, double lower_Hz, double upper_Hz) {
   if (runs.empty()) throw std::invalid_argument("a chart of responses needs a run");
+  const bool is_fitted =
+      std::any_of(runs.begin(), runs.end(), [](const MeasuredRun& run) { return !run.is_validation; });
   SvgSheet sheet{.title = "Response to the posts, measured and modelled",
-                 .note = "fitted from " + FormatNumber(lower_Hz) + " to " + FormatNumber(upper_Hz) +
-                         " Hz (white); rms of the difference there",
+                 .note = (is_fitted ? "fitted from " : "not fitted; band from ") + FormatNumber(lower_Hz) + " to " +
+                         FormatNumber(upper_Hz) + " Hz (white); rms of the difference there",
                  .legend = {Measured(), Modelled()},
                  .x_label = "frequency [Hz]"};
   for (const MeasuredRun& run : runs) {

@@ -31,4 +31,17 @@ nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& mis
   return list;
 }
 
+nlohmann::ordered_json UnseenMisfitsJson(const std::vector<MeasuredRun>& unseen,
+                                         const std::vector<FrequencyResponse>& predicted) {
+  auto list = nlohmann::ordered_json::array();
+  for (std::size_t r = 0; r < unseen.size(); ++r)
+    for (const ChannelMisfit& misfit : ResponseMisfits({unseen[r]}, {predicted[r]})) {
+      nlohmann::ordered_json entry = {{"recording", unseen[r].name}, {"name", misfit.name}};
+      entry.update(ErrorsJson(misfit));
+      entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
+      list.push_back(std::move(entry));
+    }
+  return list;
+}
+
 }  // namespace fourpost

@@ -14,4 +14,8 @@ nlohmann::ordered_json ErrorsJson(const ChannelMisfit& misfit);
 /// Of each channel its "name", ErrorsJson() and "vaf_percent".
 nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& misfits);
 
+/// The same of each "recording" that was kept for validation.
+nlohmann::ordered_json UnseenMisfitsJson(const std::vector<MeasuredRun>& unseen,
+                                         const std::vector<FrequencyResponse>& predicted);
+
 }  // namespace fourpost

@@ -12,7 +12,8 @@ inline const Finding kHistoriesEmpty{"histories-empty", Severity::kError,
                                      "add one, or remove the key"};
 inline const Finding kHistoryTwice{"history-twice", Severity::kError, "two histories have the name '{}'",
                                    "rename one with 'name'"};
-inline const Finding kHistoryUse{"history-use", Severity::kError, "'use' of {} must be fit or validation"};
+inline const Finding kHistoryUse{"history-use", Severity::kError, "'use' of {} must be fit or validation",
+                                 "write `use: validation`, or leave it out for a recording to fit"};
 inline const Finding kHistoryWindowEmpty{"history-window-empty", Severity::kError,
                                          "'end' of {} must be later than 'start'", "correct one of the two"};
 inline const Finding kNoiseNotMapped{"noise-not-mapped", Severity::kError,

@@ -43,7 +43,8 @@ std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& 
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
   AddYardsticks(YardstickRecords(experiment.fitted), YardstickRecords(histories), misfits);
   text += HistoryTable(misfits) + '\n';
-  if (const std::string yardsticks = YardstickTable(misfits); !yardsticks.empty()) text += yardsticks + '\n';
+  const std::string yardsticks = YardstickTable(misfits, results.text);
+  if (!yardsticks.empty()) text += yardsticks + '\n';
   results.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < histories.size(); ++h) {
@@ -172,7 +173,6 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
   const Predictions predictions = PredictAll(experiment, subject, fit, error, results);
   if (predictions.histories.empty()) return;
   const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {});
-  results.unseen_text += "Not fitted:\n";
   results.json["validation"] =
       HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
                               "validation", results.unseen_text, results));
