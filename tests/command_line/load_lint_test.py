@@ -28,6 +28,19 @@ class Right(FitTest):
             self.assertNotIn(finding, warnings)
 
 
+class CrossWeight(FitTest):
+    model = "model3"
+
+    def test_of_a_right_car_is_named_once(self):
+        """Its corners carry other loads than equal springs on both sides let them."""
+        warnings = self.fit().stderr
+        self.assertEqual(warnings.count("[static-loads-differ]"), 1)
+        named = warnings[warnings.index("more than 3 standard deviations"):]
+        self.assertRegex(named, r"'tyre_[FR][LR]' \d+ N (more|less) \([0-9.]+ sd\)")
+        for part in ("cross weight", "scale of the cells", "centre of mass"):
+            self.assertIn(part, named)
+
+
 class Posts:
     """Holds the tests of each model, so that they do not run without one."""
 

@@ -48,5 +48,11 @@ inline const Finding kStaticLoadFarOff{"load-far-off", Severity::kWarning, "the 
                                        "{}check for a load cell not tared, for a wheelpan or payload weighed too, for "
                                        "bounds that exclude the solution{}, and for a standard deviation that is too "
                                        "small"};
+inline const Finding kStaticLoadsDiffer{
+    "static-loads-differ", Severity::kWarning,
+    "measured loads at rest differ from the fitted ones by more than 3 standard deviations: {}",
+    "{}check the scale of the cells where all differ alike; give the centre of mass a parameter where one side or axle "
+    "carries more; where one diagonal does, which is cross weight, level the posts or give each spring its preload; or "
+    "state larger standard deviations"};
 
 }  // namespace fourpost

@@ -181,7 +181,8 @@ std::string MassesAtBounds(const FitResult& fit) {
   return names.empty() ? "" : " (at a bound: " + names + ")";
 }
 
-void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit,
+/// Whether it found something.
+bool LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit,
               const FittedLoads& loads, Diagnostics& diagnostics) {
   // Less than a wheelpan, 5 %, and more than what friction in springs and dampers keeps a car at rest from settling by.
   constexpr double kSettled = 0.04;
@@ -199,9 +200,27 @@ void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const 
     text += (text.empty() ? "'" : "; '") + name + "' fitted " + ShortNumber(value, 4) + " N, measured " +
             ShortNumber(load.load_N, 4) + " N (" + ShortNumber(off / load.sd_N, 2) + " standard deviations off)";
   }
-  if (text.empty()) return;
+  if (text.empty()) return false;
   ChannelWarnings(static_loads.plan.file, static_loads.plan.tyres, diagnostics)
       .Report(kStaticLoadFarOff, first, {text, LackingFirst(fit), MassesAtBounds(fit)});
+  return true;
+}
+
+/// "'tyre_FR' 151 N more (7.6 sd)"
+void LintDifferences(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit,
+                     const FittedLoads& loads, Diagnostics& diagnostics) {
+  constexpr double kBeyondNoise = 3;
+  const Eigen::VectorXd more = loads.Measured() - loads.Modelled();
+  std::string text;
+  for (std::size_t i = 0; i < static_loads.loads.size(); ++i) {
+    const MeasuredLoad& load = static_loads.loads[i];
+    const double off = more[static_cast<Eigen::Index>(i)];
+    if (!(std::abs(off) > kBeyondNoise * load.sd_N)) continue;
+    text += (text.empty() ? "'" : ", '") + vehicle.tyres[load.tyre].name + "' " + ShortNumber(std::abs(off), 3) +
+            (off > 0 ? " N more (" : " N less (") + ShortNumber(std::abs(off) / load.sd_N, 2) + " sd)";
+  }
+  if (!text.empty())
+    diagnostics.Report(kStaticLoadsDiffer, {static_loads.plan.table.string()}, {text, LackingFirst(fit)});
 }
 
 /// Weight on the tyres that were weighed [N], masses at this end of their bounds.
@@ -241,7 +260,9 @@ void LintWeights(const StaticLoadTest& static_loads, const Subject& subject, Dia
 void LintLoads(const StaticLoadTest& measured, const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) {
   if (measured.loads.empty()) return;
   const FittedLoads loads(measured, subject, fit);
-  if (!LintWeight(measured, fit, loads, diagnostics)) LintEach(measured, subject.vehicle(), fit, loads, diagnostics);
+  if (LintWeight(measured, fit, loads, diagnostics)) return;
+  if (LintEach(measured, subject.vehicle(), fit, loads, diagnostics)) return;
+  LintDifferences(measured, subject.vehicle(), fit, loads, diagnostics);
 }
 
 }  // namespace fourpost
