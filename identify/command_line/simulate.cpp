@@ -143,7 +143,8 @@ std::string ChartOf(const HistoryJob& job, const HistoryOrigin& origin, const Ti
 HistoryMotion MotionOf(const HistoryJob& job, const TimeHistory& history) {
   try {
     return SimulatedMotion(job.vehicle, job.drive.motion,
-                           {history.start_s, history.TimeAt(history.size() - 1), 0, job.drive.lead_s});
+                           {history.start_s, history.TimeAt(history.size() - 1), 0, job.drive.lead_s},
+                           job.drive.upper_Hz);
   } catch (const std::runtime_error&) {
     return {};
   }

@@ -34,16 +34,37 @@ TimeTable TableOf(const SimulationAnswer& answer) {
   return table;
 }
 
+/// Seconds from its first sample to its last.
+std::string Seconds(Eigen::Index samples, double rate_Hz) {
+  return ShownShort(static_cast<double>(samples - 1) / rate_Hz, 4) + " s";
+}
+
+/// By what the moving vehicle differs from the histories below it.
+std::string NoteOf(const SimulationAnswer& answer) {
+  const bool is_full = answer.origin.by.engine == Engine::kFull;
+  const Eigen::Index samples = answer.channels.front().values.size();
+  const Eigen::Index frames = answer.motion.coordinates.rows();
+  const bool is_part =
+      static_cast<double>(frames) / answer.motion.rate_Hz < static_cast<double>(samples - 1) / answer.rate_Hz;
+  return std::string("Drawn by the reduced model") +
+         (is_full ? "; the numbers and charts of this page are of the full geometry" : "") +
+         (is_part ? ". The first " + Seconds(frames, answer.motion.rate_Hz) + " of " +
+                        Seconds(samples, answer.rate_Hz) + " are drawn"
+                  : "") +
+         ".";
+}
+
 }  // namespace
 
 std::string SimulationPage(const Vehicle& vehicle, const SimulationAnswer& answer) {
-  VehicleAnswer page{.facts = {"simulated", answer.origin.motion}, .file = "", .findings = answer.findings};
+  VehicleAnswer page{.facts = {"simulated", ShownUnit(answer.origin.motion)}, .file = "", .findings = answer.findings};
   page.before.push_back(
       {"summary", "Summary",
        SizesHtml(answer.channels) + "<p class=\"note\">" + html::Escaped(EngineText(answer.origin.by)) + "</p>\n"});
   if (answer.motion.coordinates.rows() > 1) {
     page.over_time = {{answer.origin.motion, answer.motion}};
     page.scene = {{"first", "history"}};
+    page.viewer_note = NoteOf(answer);
   }
   page.after.push_back(
       {"histories", "Time histories", html::Drawn("histories", "The charts need JavaScript; history.csv has them.")});

@@ -30,13 +30,17 @@ using html::TextCell;
 
 std::string Fact(const std::string& text) { return html::Element("span", "", html::Escaped(text)); }
 
+/// "1 post", "4 posts"
+std::string Counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
 std::string Header(const Vehicle& vehicle, const std::vector<std::string>& facts) {
   std::string html;
   for (const std::string& fact : facts) html += Fact(fact) + Fact("\u00b7");
   return "<header>\n<h1>" + html::Escaped(vehicle.name) + "</h1>\n<p class=\"facts\">" + html +
-         Fact(std::to_string(vehicle.parameters.size()) + " parameters") + Fact("\u00b7") +
-         Fact(std::to_string(vehicle.posts.size()) + " posts") + Fact("\u00b7") +
-         Fact("fourpost " + Versions().front().second) +
+         Fact(Counted(vehicle.parameters.size(), "parameter")) + Fact("\u00b7") +
+         Fact(Counted(vehicle.posts.size(), "post")) + Fact("\u00b7") + Fact("fourpost " + Versions().front().second) +
          "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
 }
 
@@ -114,9 +118,10 @@ std::string PeaksHtml(const std::vector<SweptResponse>& responses) {
 
 std::string ResponsesHtml(const std::vector<SweptResponse>& responses) {
   if (responses.empty()) return "";
-  return html::Section("responses", "Frequency responses",
-                       html::Drawn("responses", "The charts need JavaScript; fourpost response prints their numbers.") +
-                           PeaksHtml(responses));
+  return html::Section(
+      "responses", "Frequency responses",
+      html::Drawn("responses", "The charts need JavaScript; response.csv of fourpost response has their numbers.") +
+          PeaksHtml(responses));
 }
 
 std::string SectionsHtml(const std::vector<ReportSection>& sections) {
@@ -141,12 +146,16 @@ OrderedJson SceneOf(const Vehicle& vehicle, const VehicleAnswer& answer, std::st
   return nullptr;
 }
 
+std::string Note(const std::string& text) {
+  return text.empty() ? "" : html::Element("p", "note", html::Escaped(text)) + '\n';
+}
+
 /// The sliders stand beside the responses, where there are some.
 std::string ViewerHtml(const VehicleAnswer& answer, const OrderedJson& scene, const std::string& fault) {
-  const std::string viewer = scene.is_null()
-                                 ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
-                                 : html::Drawn("viewer", "The moving vehicle needs JavaScript.") +
-                                       (answer.responses.empty() ? html::Drawn("sliders") : "");
+  const std::string viewer =
+      scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
+                      : html::Drawn("viewer", "The moving vehicle needs JavaScript.") +
+                            (answer.responses.empty() ? html::Drawn("sliders") : "") + Note(answer.viewer_note);
   return html::Section("vehicle", "The vehicle on its posts", viewer);
 }
 

@@ -22,6 +22,8 @@ struct VehicleAnswer {
   Diagnostics findings = {};
   std::vector<SweptResponse> responses = {};
   std::vector<RecordedHistory> over_time = {};
+  /// Below the moving vehicle.
+  std::string viewer_note = {};
   /// Before and after the section of the vehicle.
   std::vector<ReportSection> before = {};
   std::vector<ReportSection> after = {};

@@ -153,6 +153,18 @@ class Simulate(SimulateTest):
         self.assertIn("simulate", self.run_program("modes", CAR, "-o", "run", code=5).stderr)
         self.errors(CAR, options, "-o urdf", code=5)
 
+    def test_page_says_what_moves(self):
+        self.simulate(CAR, "--sine 2Hz --amplitude 5mm --duration 2s --engine full", "-o run")
+        page = self.read("run/report.html")
+        self.assertIn("Drawn by the reduced model; the numbers and charts of this page are of the full geometry.", page)
+        self.assertIn("<span>1 post</span>", page)
+        self.simulate(CAR, "--sweep 1Hz:30Hz --amplitude 20mm --acceleration 5m/s^2 --duration 1000s --rate 100Hz",
+                      "--engine reduced -o run")
+        page = self.read("run/report.html")
+        self.assertRegex(page, r"Drawn by the reduced model\. The first [0-9.]+ s of 1000 s are drawn\.")
+        facts = page[page.index('<p class="facts">'):page.index("</p>", page.index('<p class="facts">'))]
+        self.assertIn("m/s\u00b2", facts)
+
     def test_keeps_to_the_stroke_of_the_file(self):
         self.replace_in(CAR, 'under="tyre"', 'under="tyre" stroke="20 mm"')
         self.assertIn("fp:post 'post' reaches 10 mm up and down, but this motion needs 12 mm",

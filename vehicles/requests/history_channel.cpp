@@ -18,8 +18,12 @@ std::vector<HistoryChannel> ChannelsOf(const Vehicle& vehicle, const TimeHistory
 }
 
 Extent ExtentOf(const Eigen::VectorXd& values) {
-  return {.mean = values.mean(),
-          .rms = std::sqrt(values.squaredNorm() / static_cast<double>(values.size())),
+  // Of what swings about zero a sum leaves rounding.
+  constexpr double kRounding = 1e-12;
+  const double rms = std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+  const double mean = values.mean();
+  return {.mean = std::abs(mean) > kRounding * rms ? mean : 0,
+          .rms = rms,
           .peak = values.cwiseAbs().maxCoeff(),
           .peak_to_peak = values.maxCoeff() - values.minCoeff()};
 }

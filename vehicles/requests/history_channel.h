@@ -30,7 +30,7 @@ struct Extent {
   double peak_to_peak = 0;
 };
 
-/// For at least one sample.
+/// For at least one sample. A mean that is no more than rounding is zero.
 Extent ExtentOf(const Eigen::VectorXd& values);
 
 }  // namespace fourpost

@@ -128,7 +128,7 @@ export async function drawHistories(place, data) {
     const use = !isMeasured ? 'simulated' : unseen.includes(packed) ? 'validation, not fitted' : 'fitted';
     const spectra = `Power spectra over Hz, by windows that overlap by half${isMeasured ? ', dashed that of the difference; below them the coherence of model and measurement' : ''}`;
     const history = `Over time in s${isMeasured ? '; below each chart what the model differs by' : ''}`;
-    note.textContent = `${recording.recording}: ${use}. ${isSpectra ? spectra : history}. Drag to zoom all charts, double-click to reset. ${thinned}`;
+    note.textContent = `${recording.recording}: ${use}. ${isSpectra ? spectra : history}. Drag to zoom all charts, double-click to reset. ${thinned}${part === 'spectra' && !isSpectra ? ' There are no spectra of a part.' : ''}`;
   };
   const names = recordings.map((recording) => recording.recording);
   const first = names.includes(inAddress('history')) ? inAddress('history') : names[0];
