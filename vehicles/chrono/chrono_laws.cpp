@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
@@ -38,7 +39,7 @@ std::string Points(const std::vector<std::pair<double, double>>& points, const c
   return text + "\n    </table>";
 }
 
-/// Rows of two numbers in rising order; those at one place are one.
+/// Rows of two numbers in rising order; Rises() refuses two at one place.
 std::vector<std::pair<double, double>> Sorted(const std::vector<std::vector<double>>& rows) {
   std::vector<std::pair<double, double>> points;
   for (const std::vector<double>& row : rows) points.emplace_back(row[0], row[1]);
@@ -116,10 +117,36 @@ KnownLaw ShockCurve(const ChronoNode& shock, std::string_view name, const std::v
           .parameters = {Scale(scale, source + ": its curve")}};
 }
 
-/// c v / (1 + d |v|) is half of c v at |v| = 1 / d.
-std::string HalfSpeed(double degressivity) {
-  // A shock that does not level off: far beyond all speeds.
-  return degressivity > 1e-3 ? InMps(1 / degressivity) : "1000 m/s";
+/// d of -c v / (1 + d |v|) in bump and rebound.
+struct Degressivity {
+  double bump = 0;
+  double rebound = 0;
+
+  /// At |v| = 1 / d the force is half of c v: beyond 1000 m/s that is no levelling off.
+  static bool LevelsOff(double d) { return d > 1e-3; }
+};
+
+/// Zero where it is not stated; nothing, reported, of a force that would rise beyond all bounds.
+std::optional<Degressivity> DegressivityOf(const ChronoNode& shock) {
+  constexpr const char* kBump = "Degressivity Compression";
+  constexpr const char* kRebound = "Degressivity Expansion";
+  Degressivity d;
+  if (!shock.Has(kBump) || !shock.Has(kRebound)) return d;
+  d = {shock.Number(kBump), shock.Number(kRebound)};
+  for (const auto& [name, value] : {std::pair(kBump, d.bump), std::pair(kRebound, d.rebound)})
+    if (value < 0) shock.ReportAt(name, kChronoValue, {shock.Called(name), "zero or above"});
+  if (d.bump < 0 || d.rebound < 0) return std::nullopt;
+  return d;
+}
+
+/// Of a shock that levels off one way only, which no law with rates states: points of its curve.
+KnownLaw HalfDegressive(double rate, const Degressivity& d, const std::string& axle, const std::string& source) {
+  std::vector<std::pair<double, double>> points;
+  for (const double speed : {-2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.0, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0})
+    points.emplace_back(speed, rate * speed / (1 + (speed < 0 ? d.bump : d.rebound) * std::abs(speed)));
+  const std::string scale = "s_" + axle + "_damper";
+  return {.tags = "<table scale=\"$" + scale + "\">" + Points(points, "speed", InMps),
+          .parameters = {Scale(scale, source + ": its degressive law")}};
 }
 
 }  // namespace
@@ -160,6 +187,10 @@ KnownLaw ChronoShock(const ChronoNode& shock, const std::string& axle, double le
     shock.ReportAt("Damping Coefficient", kChronoValue, {shock.Called("Damping Coefficient"), "above zero"});
     return {};
   }
+  const std::optional<Degressivity> d = DegressivityOf(shock);
+  if (!d) return {};
+  const bool levels_off = Degressivity::LevelsOff(d->bump);
+  if (levels_off != Degressivity::LevelsOff(d->rebound)) return HalfDegressive(rate, *d, axle, source);
   const std::string bump = "c_" + axle + "_bump";
   const std::string rebound = "c_" + axle + "_rebound";
   const std::string rates = " bump=\"$" + bump + "\" rebound=\"$" + rebound + "\"";
@@ -167,9 +198,9 @@ KnownLaw ChronoShock(const ChronoNode& shock, const std::string& axle, double le
   KnownLaw law{.tags = "<bilinear" + rates + "/>",
                .parameters = {Rate(bump, c, "N*s/m", 1, source + ": one shock, both directions alike"),
                               Rate(rebound, c, "N*s/m", 1, source + ": one shock, both directions alike")}};
-  if (shock.Has("Degressivity Compression") && shock.Has("Degressivity Expansion"))
-    law.tags = "<saturating" + rates + " bump_speed=\"" + HalfSpeed(shock.Number("Degressivity Compression")) +
-               "\" rebound_speed=\"" + HalfSpeed(shock.Number("Degressivity Expansion")) + "\"/>";
+  if (levels_off)
+    law.tags = "<saturating" + rates + " bump_speed=\"" + InMps(1 / d->bump) + "\" rebound_speed=\"" +
+               InMps(1 / d->rebound) + "\"/>";
   return law;
 }
 

@@ -9,7 +9,8 @@ namespace fourpost {
 
 /// Laws of Chrono's springs and shocks as tags of a vehicle file, with parameters named after the axle. Chrono gives
 ///   spring: push = preload - k (length - free length), or preload - curve(length - free length)
-///   shock: push = -c v, -c v / (1 + d |v|), -curve(v), or a map over length and speed; v: speed of extension
+///   shock: push = -c v, -c v / (1 + d |v|) with d >= 0 of each direction, -curve(v), or a map over length and speed;
+///     v: speed of extension
 /// so that its curves are tensions over extension. Its stops, of Adams Car's example, are 100 N/mm + 0.06 N/mm^3 s^3
 /// within 3 % up to 50 mm. Source: chrono/utils/ChForceFunctors.cpp, chrono/input_output/ChUtilsJSON.cpp.
 

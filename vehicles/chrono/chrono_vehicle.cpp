@@ -72,10 +72,18 @@ KnownBody SteeringOf(const ChronoNode& vehicle) {
   return sum;
 }
 
+/// Nothing where there is none; of one that is not above zero, which is reported, a guess.
+std::optional<double> StatedRate(const ChronoNode& tyre) {
+  const std::optional<ChronoNumber> rate = tyre.Find({"Vertical Stiffness", "Vertical Stiffness [N/m]"});
+  if (!rate || rate->value > 0) return tyre.FindNumber({"Vertical Stiffness", "Vertical Stiffness [N/m]"});
+  tyre.ReportAt(rate->name, kChronoValue, {tyre.Called(rate->name), "above zero"});
+  return kGuessedRate;
+}
+
 /// Vertical rate, as Chrono's TMeasy tyre takes it from a load index or a capacity: the load over 0.16 of the height
 /// between rim and tread. A load index stands for 45 kg 10^(index / 80), within 2 % of the standard's table.
 std::optional<double> TyreRate(const ChronoNode& tyre, double radius) {
-  if (const auto rate = tyre.FindNumber({"Vertical Stiffness", "Vertical Stiffness [N/m]"})) return rate;
+  if (const auto rate = StatedRate(tyre)) return rate;
   const std::optional<double> rim = tyre.FindNumber({"Rim Radius [m]", "Rim Radius"});
   std::optional<double> load = tyre.FindNumber({"Maximum Bearing Capacity [N]"});
   if (const auto index = tyre.FindNumber({"Load Index"})) load = kGravity * 45 * std::pow(10, *index / 80);
@@ -129,6 +137,8 @@ class VehicleReader {
     ReadBody();
     ReadAxles(tyres);
     if (diagnostics_.HasErrors()) return std::nullopt;
+    CheckOrder();
+    if (diagnostics_.HasErrors()) return std::nullopt;
     body_ = body_ + axles_[0].on_body + axles_[1].on_body;
     StandOnGround();
     ChronoVehicle result{.points = Points(), .car = Car()};
@@ -168,6 +178,13 @@ class VehicleReader {
       tyres_[i] = TyreOf(entries[i], file);
       axles_[i] = ReadChronoAxle(entries[i], kAxles[i], tyres_[i], motion_[i]);
     }
+  }
+
+  void CheckOrder() {
+    const double front = Centre(0).x();
+    const double rear = Centre(1).x();
+    const auto shown = [](double x) { return FormatNumber(std::round(1e3 * x) + 0.0) + " mm"; };
+    if (front - rear < kLeastWheelbase) vehicle_.ReportAt("Axles", kChronoAxleOrder, {shown(front), shown(rear)});
   }
 
   const Vector3d& Centre(std::size_t axle) const {

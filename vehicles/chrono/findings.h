@@ -21,6 +21,11 @@ inline const Finding kChronoNoVehicle{"chrono-no-vehicle", Severity::kError, "no
                                       "name the file with \"Axles\""};
 inline const Finding kChronoAxles{"chrono-axles", Severity::kError, "the vehicle has {} axles",
                                   "only vehicles of two axles are read; remove the others"};
+inline const Finding kChronoAxleOrder{
+    "chrono-axle-order", Severity::kError,
+    "the wheels of the first axle are centred at x = {}, those of the second at x = {}, which is not half a metre "
+    "behind",
+    "list the front axle first in \"Axles\", and check its \"Suspension Location\"; Chrono's x points forward"};
 inline const Finding kChronoTemplate{"chrono-template", Severity::kError, "the suspension template \"{}\" is not read",
                                      "those read are {}"};
 inline const Finding kChronoMass{"chrono-mass", Severity::kError, "{} is {}, which no body has",

@@ -17,7 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 2> kAxles = {"front", "rear"};
 /// Of the plausible car [m].
 constexpr double kWheelbase = 2.6;
-constexpr double kLeastWheelbase = 0.5;
 /// No drawing has such numbers [m]; millimetres that were meant as metres are fewer.
 constexpr double kFar = 1e5;
 /// Below it two points are one [m].

@@ -25,6 +25,9 @@ struct AxlePoints {
   const Eigen::Vector3d& At(std::string_view point) const { return points.find(point)->second.xyz; }
 };
 
+/// Of any car, from the front wheels' centres to the rear ones' [m].
+inline constexpr double kLeastWheelbase = 0.5;
+
 /// Front and rear.
 using CarPoints = std::array<AxlePoints, 2>;
 

@@ -12,6 +12,7 @@
 #include "vehicles/chrono/chrono_vehicle.h"
 #include "vehicles/chrono/findings.h"
 #include "vehicles/description/gravity.h"
+#include "vehicles/lint/vehicle_lint.h"
 #include "vehicles/poses/settled_pose.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/ride/vehicle_summary.h"
@@ -318,6 +319,45 @@ TEST_F(ChronoText, RefusesAnotherNumberOfAxles) {
   folder_.Write("vehicle.json", text.substr(0, text.rfind("},", second) + 1) + "]}");
   EXPECT_TRUE(Text().empty());
   EXPECT_THAT(found_, Reports(kChronoAxles, {"1 axles"}));
+}
+
+TEST_F(ChronoText, WritesRatesOfAShockThatDoesNotLevelOff) {
+  Change("car/wishbones.json", "\"Degressivity Compression\": 4, \"Degressivity Expansion\": 2",
+         "\"Degressivity Compression\": 0, \"Degressivity Expansion\": 0");
+  const Vehicle vehicle = Read(Text());
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+  EXPECT_EQ(vehicle.dampers[0].law.kind, DashpotDescription::Kind::kBilinear);
+  EXPECT_DOUBLE_EQ(vehicle.dampers[0].law.At(vehicle.ParameterValues()).Force(0.5), 6000 * 0.5);
+}
+
+TEST_F(ChronoText, WritesACurveOfAShockThatLevelsOffOneWay) {
+  Change("car/wishbones.json", "\"Degressivity Compression\": 4", "\"Degressivity Compression\": 0");
+  const Vehicle vehicle = Read(Text());
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+  const DashpotLaw law = vehicle.dampers[0].law.At(vehicle.ParameterValues());
+  // Points of the curve.
+  EXPECT_NEAR(law.Force(-0.5), -6000 * 0.5, 1e-6);
+  EXPECT_NEAR(law.Force(0.5), 6000 * 0.5 / (1 + 2 * 0.5), 1e-6);
+  // Of a cubic between them.
+  EXPECT_NEAR(law.Force(0.7) / (6000 * 0.7 / (1 + 2 * 0.7)), 1, 0.02);
+}
+
+TEST_F(ChronoText, RefusesWhatNoTyreOrShockHas) {
+  Change("car/wishbones.json", "\"Degressivity Expansion\": 2", "\"Degressivity Expansion\": -2");
+  Change("car/tyre.json", "\"Vertical Stiffness\": 200000", "\"Vertical Stiffness\": 0");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, Reports(kChronoValue, Line("car/wishbones.json", "Degressivity"),
+                              {"Degressivity Expansion", "zero or above"}));
+  EXPECT_THAT(found_, Reports(kChronoValue, Line("car/tyre.json", "Vertical"), {"Vertical Stiffness", "above zero"}));
+  EXPECT_THAT(found_, testing::Not(Reports(kChronoTyreRate)));
+}
+
+TEST_F(ChronoText, RefusesExchangedAxles) {
+  Change("vehicle.json", "[1.3, 0, 0]", "[-1.3, 0, 0]");
+  Change("vehicle.json", "[-1.3, 0, -0.000980665]", "[1.3, 0, -0.000980665]");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_THAT(found_, Reports(kChronoAxleOrder, Line("vehicle.json", "\"Axles\""), {"-1300 mm", "1300 mm"}));
+  EXPECT_THAT(found_.Format(), testing::Not(testing::HasSubstr("header")));
 }
 
 TEST_F(ChronoText, RefusesCurvesThatFall) {
