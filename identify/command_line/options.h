@@ -10,6 +10,7 @@ namespace fourpost {
 
 /// Of a vehicle that is shown: modes, frequencies, amplitudes and channels.
 void AddShownSweep(CLI::App& subcommand, SweepText& sweep);
+void AddOptions(CLI::App& subcommand, InitCommand& command);
 void AddOptions(CLI::App& subcommand, ResponseCommand& command);
 void AddOptions(CLI::App& subcommand, ModesCommand& command);
 void AddOptions(CLI::App& subcommand, KinematicsCommand& command);

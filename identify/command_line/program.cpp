@@ -18,20 +18,11 @@
 #include "identify/command_line/whole_number.h"
 #include "identify/inspection/file_kind.h"
 #include "identify/refine/search_method_list.h"
-#include "vehicles/templates/suspension_kind.h"
 
 namespace fourpost {
 namespace {
 
 constexpr const char* kAllTopics = "findings";
-
-std::string SuspensionKindList() {
-  std::string list;
-  const std::span<const SuspensionKind> kinds = SuspensionKinds();
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == kinds.size() ? " or " : ", ") + std::string(kinds[i].name);
-  return list;
-}
 
 }  // namespace
 
@@ -92,44 +83,7 @@ void Program::AddInit() {
         if (!init_.vehicle.empty()) RequireVehicleFile(init_.vehicle);
         return Run(init_);
       });
-  sub->add_option("DIR", init_.folder,
-                  "New or empty folder; with --from also one without a study.yaml, with --suspension or --chrono one "
-                  "without a vehicle.urdf")
-      ->required();
-  CLI::Option* from = sub->add_option("--from", init_.from,
-                                      "Recordings, or folders of such: draft a study of them, with channels matched to "
-                                      "the sensors of --vehicle");
-  CLI::Option* vehicle = sub->add_option("--vehicle", init_.vehicle, "Vehicle file (.urdf) of the study to draft");
-  from->needs(vehicle);
-  vehicle->needs(from);
-  CLI::Option* suspension =
-      sub->add_option("--suspension", init_.suspension,
-                      "Kinds of the front and the rear suspension, as front=KIND,rear=KIND: write vehicle.urdf and "
-                      "points.csv with plausible points. KIND is " +
-                          SuspensionKindList())
-          ->delimiter(',')
-          ->excludes(from);
-  sub->add_option("--points", init_.points,
-                  "Table of hard points, axle,point,x [mm],y [mm],z [mm], left side, for the vehicle to have")
-      ->needs(suspension);
-  sub->add_option(
-         "--load", init_.load,
-         "Mass on both tyres of each axle, as front=760kg,rear=640kg: for the body's mass, its centre and rates "
-         "of springs and dampers; without it those of a passenger car")
-      ->delimiter(',')
-      ->needs(suspension);
-  CLI::Option* chrono =
-      sub->add_option("--chrono", init_.chrono,
-                      "JSON file of a wheeled vehicle of Project Chrono, two axles: write vehicle.urdf with its points, "
-                      "masses and laws, at rest")
-          ->excludes(from)
-          ->excludes(suspension);
-  sub->add_option("--tyre", init_.tyres, "JSON file of the tyres of --chrono, or two, FRONT,REAR")
-      ->delimiter(',')
-      ->expected(1, 2)
-      ->needs(chrono);
-  sub->add_flag("--replace", init_.replace, "Write over the vehicle.urdf that is there, with --suspension or --chrono");
-  sub->add_flag("--json", init_.json, "Print JSON: the folder and its files");
+  AddOptions(*sub, init_);
 }
 
 void Program::AddInfo() {

@@ -11,15 +11,13 @@
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/ride/vehicle_summary.h"
 #include "vehicles/templates/axle_writer.h"
+#include "vehicles/templates/body_text.h"
 #include "vehicles/templates/findings.h"
 #include "vehicles/templates/written_xml.h"
 
 namespace fourpost {
 namespace {
 
-/// Body with two people, and its centre of mass above the ground: of a passenger car.
-constexpr double kBodyMass = 1200;
-constexpr double kBodyHeight = 0.55;
 /// Front and rear [Hz]: the rear higher, so that a car pitches little behind a bump (Olley; Gillespie 1992, chapter 5).
 constexpr std::array<double, 2> kRideFrequency = {1.2, 1.4};
 constexpr double kDampingRatio = 0.3;
@@ -27,129 +25,12 @@ constexpr double kDampingRatio = 0.3;
 constexpr double kLeastRatio = 0.15;
 constexpr double kUsualIdleRatio = 0.3;
 
-/// The drawing against the level ground: R_y(pitch) p + (0, 0, rise).
-struct GroundPose {
-  double pitch = 0;
-  double rise = 0;
-
-  double HeightOf(const Eigen::Vector3d& place) const {
-    return -std::sin(pitch) * place.x() + std::cos(pitch) * place.z() + rise;
-  }
-};
-
 GroundPose GroundOf(const CarPoints& car) {
   const Eigen::Vector3d& front = car[0].At("contact");
   const Eigen::Vector3d span = front - car[1].At("contact");
   GroundPose pose{.pitch = std::atan2(span.z(), span.x())};
   pose.rise = -pose.HeightOf(front);
   return pose;
-}
-
-std::string Fixed(double value, int power) {
-  return FormatNumber(std::round(value * std::pow(10, power)) + 0.0, -power);
-}
-
-/// Mass of the body and x of its centre in the drawing.
-struct BodyGuess {
-  double mass = kBodyMass;
-  double x = 0;
-  bool is_weighed = false;
-  std::optional<KnownBody> known = {};
-};
-
-/// A body of a model, with its source. Its yaw inertia follows the one in pitch. Bounds keep it a possible body, whose
-/// largest moment is at most the sum of the others: with r = |I_yaw - I_pitch| / I_roll, a = (1 + r) / 2 of I_roll and
-/// b = (3 - r) / 2 of I_pitch at the other's bound, a - b r = (1 - r)^2 / 2.
-std::string KnownBodyText(const KnownBody& body, const std::string& source) {
-  const auto bounded = [&](const char* name, double value, double lower, double upper, const char* unit,
-                           const char* what) {
-    return Text({.name = name,
-                 .value = value,
-                 .lower = lower * value,
-                 .upper = upper * value,
-                 .precision = 0.1,
-                 .unit = unit,
-                 .source = source + ": " + what});
-  };
-  std::string text = bounded("m_body", body.mass, 0.7, 1.3, "kg", "chassis with all that is fixed to it");
-  const double x = std::round(1e4 * body.com.x()) * 0.1;
-  text += Text({.name = "x_body",
-                .value = x,
-                .lower = x - 300,
-                .upper = x + 300,
-                .precision = 0.1,
-                .unit = "mm",
-                .source = source + ": centre of mass"});
-  const double r = std::min(0.9, std::abs(body.inertia(2, 2) - body.inertia(1, 1)) / body.inertia(0, 0));
-  text += bounded("I_pitch", body.inertia(1, 1), 0.6, 0.5 * (3 - r), "kg*m^2", "chassis; the yaw inertia follows it");
-  return text + bounded("I_roll", body.inertia(0, 0), 0.5 * (1 + r), 1.5, "kg*m^2", "chassis");
-}
-
-std::string BodyText(const CarPoints& car, const BodyGuess& body, const GroundPose& ground, const std::string& origin) {
-  const Eigen::Vector3d front = car[0].At("wheel_centre");
-  const Eigen::Vector3d rear = car[1].At("wheel_centre");
-  const double wheelbase = front.x() - rear.x();
-  const double track = front.y() + rear.y();
-  const double x = std::round(1e4 * body.x) * 1e-4;
-  const double mass = std::round(10 * body.mass) * 0.1;
-  const double guessed_z = 0.5 * (car[0].At("contact").z() + car[1].At("contact").z()) + kBodyHeight;
-  const double z = std::round(1e3 * (body.known ? body.known->com.z() : guessed_z)) * 1e-3;
-  const std::string y = body.known ? Fixed(body.known->com.y(), 4) : "0";
-  // Dynamic index 0.9; radius of gyration in roll 0.38 of the mean track.
-  const double pitch = std::round(0.9 * mass * (front.x() - x) * (x - rear.x()));
-  const double roll = std::round(mass * 0.38 * 0.38 * track * track);
-  const std::string turns = body.known ? "izz=\"" + Fixed(body.known->inertia(2, 2) / body.known->inertia(1, 1), 6) +
-                                             "*$I_pitch\" ixy=\"" + Fixed(body.known->inertia(0, 1), 2) + "\" ixz=\"" +
-                                             Fixed(body.known->inertia(0, 2), 2) + "\" iyz=\"" +
-                                             Fixed(body.known->inertia(1, 2), 2) + "\""
-                                       : "izz=\"$I_pitch\" ixy=\"0\" ixz=\"0\" iyz=\"0\"";
-  std::string text = body.known ? "\n  <!-- Body; its axes and origin are those of the model. -->\n"
-                                : "\n  <!-- Body with engine and two people; its axes and origin are those of the "
-                                  "drawing. -->\n";
-  text += "  <link name=\"ground\"/>\n  <link name=\"body\">\n    <inertial>\n      <origin xyz=\"$x_body " + y + " " +
-          Fixed(z, 3) + "\"/>\n      <mass value=\"$m_body\"/>\n      <inertia ixx=\"$I_roll\" iyy=\"$I_pitch\" " +
-          turns + "/>\n    </inertial>\n    <visual>\n      <origin xyz=\"" + XyzText({x, 0, z + 0.05}) +
-          "\"/>\n      <geometry><box size=\"" + Fixed(wheelbase + 1, 2) + " " + Fixed(0.5 * track, 2) +
-          " 0.4\"/></geometry>\n    </visual>\n  </link>\n";
-  text +=
-      "  <joint name=\"body\" type=\"floating\">\n    <parent link=\"ground\"/><child link=\"body\"/><origin xyz=\"0 "
-      "0 " +
-      Fixed(ground.rise, 9) + "\"" +
-      (std::abs(ground.pitch) > 1e-9 ? " rpy=\"0 " + Fixed(ground.pitch, 9) + " 0\"" : "") + "/>\n  </joint>\n";
-  if (body.known) return text + KnownBodyText(*body.known, origin);
-  text += Text({.name = "m_body",
-                .value = mass,
-                .lower = std::round((body.is_weighed ? 0.95 : 0.6) * mass),
-                .upper = std::round((body.is_weighed ? 1.05 : 2) * mass),
-                .precision = 0.1,
-                .unit = "kg",
-                .source = body.is_weighed ? "loads of the axles, less an estimate of wheels and axles"
-                                          : "estimate, of a passenger car: body with engine and two people; --load "
-                                            "makes it of axle loads"});
-  const double spread = std::round((body.is_weighed ? 30 : 150) * wheelbase);
-  text += Text({.name = "x_body",
-                .value = 1e3 * x,
-                .lower = std::round(1e3 * x - spread),
-                .upper = std::round(1e3 * x + spread),
-                .precision = 0.1,
-                .unit = "mm",
-                .source = body.is_weighed ? "centre of mass by the loads of the axles"
-                                          : "estimate: centre of mass midway between the axles"});
-  text += Text({.name = "I_pitch",
-                .value = pitch,
-                .lower = std::round(0.5 * pitch),
-                .upper = std::round(2 * pitch),
-                .precision = 1,
-                .unit = "kg*m^2",
-                .source = "estimate: dynamic index 0.9, I / (m a b); the yaw inertia is as large"});
-  text += Text({.name = "I_roll",
-                .value = roll,
-                .lower = std::round(0.5 * roll),
-                .upper = std::round(1.8 * roll),
-                .precision = 1,
-                .unit = "kg*m^2",
-                .source = "estimate: radius of gyration 0.38 of the track"});
-  return text;
 }
 
 /// `origin`: of points and numbers, in one line.
