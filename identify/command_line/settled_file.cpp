@@ -159,8 +159,9 @@ class SettledFile {
     if (!element) return;
     switch (spring.kind) {
       case Spring::Kind::kCoil:
-        if (!spring.law.IsLinear()) Refuse(strut, spring.source_line);
-        else if (spring.preload && stated_ == StatedForces::kKept)
+        if (!MovesAlong(spring)) return Refuse(strut, spring.source_line);
+        if (!spring.law.table.empty()) MovePlace(*element->FirstChildElement(), spring, strut);
+        if (spring.preload && stated_ == StatedForces::kKept)
           SetForce(element->FirstChildElement(), "preload", strut.force, strut, spring.source_line);
         return;
       case Spring::Kind::kStop:
@@ -170,6 +171,21 @@ class SettledFile {
       case Spring::Kind::kGas:
         SetForce(element->FirstChildElement("gas"), "force", -strut.force, strut, spring.source_line);
     }
+  }
+
+  /// A table counts from its own zero, other bent laws from the design pose.
+  static bool MovesAlong(const Spring& spring) { return spring.law.IsLinear() || !spring.law.table.empty(); }
+
+  /// The place on its table at which a spring stands at rest, where the file does not follow it from a free length.
+  void MovePlace(const XMLElement& table, const Spring& spring, const SettledPose::Strut& strut) {
+    const std::optional<std::string> at = AttributeText(table, "at");
+    if (!at && spring.law.is_placed) return;
+    const double place = spring.law.place.value + strut.length - strut.design_length;
+    const std::vector<double> values = vehicle_.ParameterValues();
+    const bool is_on_table =
+        spring.law.table.front().extension.At(values) <= place && place <= spring.law.table.back().extension.At(values);
+    if (spring.law.place.parameter >= 0 || !is_on_table) return Refuse(strut, spring.source_line);
+    edit_.Set(table, "at", FormatQuantity(place, "m"));
   }
 
   void Leave(const Spring& spring) {

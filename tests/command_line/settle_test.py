@@ -1,5 +1,6 @@
 """Files whose springs do not hold the design pose: what is shown, and the files that are at rest."""
 import json
+import re
 import unittest
 
 from program import SOURCE, ProgramTest
@@ -54,6 +55,21 @@ class Settle(ProgramTest):
             self.run_program("settle", self.lowered(), "--hold", what, "-o", f"{what}.urdf")
             self.assertTrue(self.pose(f"{what}.urdf")["is_at_rest_as_drawn"])
             self.assertIn(f'<linear stiffness="$k_front" {what}=', (self.folder / f"{what}.urdf").read_text())
+
+    def test_moves_a_spring_along_its_table(self):
+        points = "".join(f'<point extension="{x} mm" force="{f} N"/>'
+                         for x, f in ((-200, -8000), (-100, -3000), (0, 0), (50, 1000)))
+        file = self.lowered(new=f'<table at="-60 mm" preload="-2500 N">{points}</table>')
+        text = (self.folder / file).read_text()
+        self.write("lowered.urdf", re.sub(r'<fp:parameter name="k_front".*?/>', "", text, flags=re.DOTALL))
+        self.assertFalse(self.pose(file, "--equilibrium", "-o", "rest.urdf")["is_at_rest_as_drawn"])
+        self.assertTrue(self.pose("rest.urdf")["is_at_rest_as_drawn"])
+        rest = (self.folder / "rest.urdf").read_text()
+        self.assertNotIn('at="-60 mm"', rest)
+        self.assertIn('<point extension="-100 mm" force="-3000 N"/>', rest)
+        before, after = (json.loads(self.run_program("settle", one, "--json").stdout)["springs"] for one in (file, "rest.urdf"))
+        for drawn, written in zip(before, after):
+            self.assertAlmostEqual(drawn["force_N"], written["force_N"], delta=1)
 
     def test_refuses_what_a_file_cannot_state(self):
         new = '<cubic stiffness="$k_front" cubic="0.001 N/mm^3" free_length="440 mm"/>'

@@ -37,6 +37,8 @@ struct SpringDescription {
   std::vector<TablePoint> table = {};
   /// Extension in the table at which the design pose stands [m].
   Scalar place = {};
+  /// Whether the file states that, or a free length that gives it.
+  bool is_placed = false;
 
   SpringLaw At(std::span<const double> parameters) const;
   bool IsLinear() const { return cubic.IsZero() && knees.empty() && table.empty(); }

@@ -33,6 +33,15 @@ inline const Finding kDampingSwapped{"damping-swapped", Severity::kWarning,
                                      "{} resists bump with {} and rebound with {}{}",
                                      "swap the two rates if they are "
                                      "the wrong way round"};
+inline const Finding kTableAtRest{
+    "table-at-rest", Severity::kWarning,
+    "the points of {} beside rest give {} there, but a damper has no force at rest, so its curve bends through zero",
+    "take away what is there at rest, such as a gas force,{} or add <point speed=\"0 m/s\" force=\"0 N\"/>"};
+inline const Finding kTableNotPlaced{
+    "table-not-placed", Severity::kWarning,
+    "{} stands at the zero of its table, but carries {} at rest, which the table gives elsewhere",
+    "state where on the table it stands in the design pose by at=\"...\"{}, or at=\"0 m\" if its forces count from "
+    "there"};
 inline const Finding kParameterIdle{"parameter-idle", Severity::kWarning,
                                     "fp:parameter '{}' changes no motion, no static load and no sensor's reading",
                                     "remove it, or what keeps its element from moving"};

@@ -11,6 +11,7 @@
 #include "vehicles/lint/place_lint.h"
 #include "vehicles/lint/static_lint.h"
 #include "vehicles/lint/symmetry_lint.h"
+#include "vehicles/lint/table_lint.h"
 
 namespace fourpost {
 namespace {
@@ -19,16 +20,16 @@ namespace {
 /// held: adds a warning, with a remedy, for each finding.
 using DrawnLintRule = void (*)(const DrawnVehicle& drawn, FileFaults& findings);
 
-constexpr std::array<DrawnLintRule, 17> kDrawnRules = {
+constexpr std::array<DrawnLintRule, 18> kDrawnRules = {
     LintNumbers,  LintMeanRates,    LintHardening,      LintPlacesInMillimetres, LintStopGaps,
     LintGaps,     LintOilColumns,   LintSwappedDamping, LintMirroredPoints,      LintMirroredNumbers,
     LintBarSides, LintSensorPlaces, LintInertias,       LintTyreHeights,         LintLengths,
-    LintPosts,    LintSensors,
+    LintPosts,    LintSensors,      LintDamperTables,
 };
 
-constexpr std::array<LintRule, 8> kRules = {
-    LintOpenClosures, LintTyreLoads,    LintSpringLoads,  LintWeightOnTyres,
-    LintFreeMotions,  LintRingingModes, LintBlindSensors, LintIdleParameters,
+constexpr std::array<LintRule, 9> kRules = {
+    LintOpenClosures, LintTyreLoads,    LintSpringLoads,    LintWeightOnTyres, LintFreeMotions,
+    LintRingingModes, LintBlindSensors, LintIdleParameters, LintSpringTables,
 };
 
 template <typename Subject, typename Rules>

@@ -206,6 +206,7 @@ void PlaceOnCurves(Vehicle& vehicle, FileFaults& faults) {
     const double length = DesignLength(spring.line, poses);
     const double at = content->free_length ? length - *content->free_length : 0;
     if (content->free_length) content->at = spring.law.place.value = at;
+    spring.law.is_placed = content->free_length.has_value();
     const double least = spring.law.table.front().extension.value;
     const double greatest = spring.law.table.back().extension.value;
     if (least <= at && at <= greatest) continue;

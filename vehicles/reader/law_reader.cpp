@@ -63,6 +63,7 @@ SpringDescription LawReader::ReadSpringTable(const Tag& table) {
   SpringDescription law{.stiffness = {}, .cubic = {}, .knees = {}, .table = {}, .place = {}};
   const int errors = faults_.errors();
   law.place = parameters_.ReadScalar(table, "at");
+  law.is_placed = AttributeText(*table.element, "at").has_value();
   const Scalar scale = parameters_.ReadScalar(table, "scale");
   for (const Tag& tag : TagsOf(*table.element, "fp:spring/table/point")) {
     const int before = faults_.errors();

@@ -135,7 +135,7 @@ DashpotDescription MeasuredCurve(double speed_mps) {
   return {.kind = DashpotDescription::Kind::kTable,
           .compression = {},
           .rebound = {},
-          .table = {{Fixed(-speed_mps), Fixed(-900)}, {Fixed(speed_mps), Fixed(1500)}}};
+          .table = {{Fixed(-speed_mps), Fixed(-900)}, {Fixed(0), Fixed(0)}, {Fixed(speed_mps), Fixed(1500)}}};
 }
 
 HydraulicDescription Oil() {
