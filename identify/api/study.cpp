@@ -77,6 +77,7 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
     RequireCount("channel '" + sensor + "' of '" + test.name + "'", measured.frf.size(), count);
     if (measured.mean.size() > 0)
       RequireCount("the mean of channel '" + sensor + "' of '" + test.name + "'", measured.mean.size(), count);
+    if (measured.mean_sd.size() > 0 && measured.mean.size() == 0) Refuse(kMeanSdWithoutMean, {}, {sensor, test.name});
     if (measured.mean_sd.size() > 0)
       RequireCount("the standard deviation of the mean of channel '" + sensor + "' of '" + test.name + "'",
                    measured.mean_sd.size(), count);
@@ -224,7 +225,8 @@ class Writer {
       text += "model_error: {";
       if (has_sines)
         text += "gain_dB: " + FormatNumber(error.gain_dB) + ", phase: " + FormatNumber(error.phase_deg) +
-                " deg, floor: " + FormatNumber(error.floor) + (has_histories ? ", " : "");
+                " deg, floor: " + FormatNumber(error.floor) + ", mean: " + FormatNumber(error.mean_m, 3) + " mm" +
+                (has_histories ? ", " : "");
       if (has_histories) text += "history: " + FormatNumber(100 * error.history) + " %";
       text += "}\n";
     }

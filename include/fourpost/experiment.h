@@ -23,7 +23,8 @@ struct MeasuredFrf {
   Eigen::VectorXd mean = {};
   /// In place of `relative_sd`, one per frequency; empty: that counts for all.
   Eigen::VectorXd relative_sd_at = {};
-  /// Standard deviation of `mean`, in its unit; empty where it is not known: the study's model error counts alone.
+  /// Standard deviation of `mean`, in its unit, not without one; empty where it is not known: the study's model error
+  /// of means counts alone.
   Eigen::VectorXd mean_sd = {};
 };
 

@@ -23,6 +23,8 @@ struct ModelError {
   double history = 0.02;
   /// Error of forces on a bench, as a share of their standard deviation.
   double bench = 0.05;
+  /// Error of mean offsets of struts [m].
+  double mean_m = 3e-4;
 
   bool operator==(const ModelError&) const = default;
 };

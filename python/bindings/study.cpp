@@ -51,8 +51,9 @@ void SetLoads(api::Study& study, const std::map<std::string, std::pair<double, d
   for (const auto& [tyre, load] : loads) study.static_loads[tyre] = {load.first, load.second};
 }
 
-void SetModelError(api::Study& study, double gain_dB, double phase_deg, double floor, double history, double bench) {
-  study.model_error = {gain_dB, phase_deg, floor, history, bench};
+void SetModelError(api::Study& study, double gain_dB, double phase_deg, double floor, double history, double bench,
+                   double mean_m) {
+  study.model_error = {gain_dB, phase_deg, floor, history, bench, mean_m};
 }
 
 void BindObjective(py::module_& module) {

@@ -27,7 +27,7 @@ class Measured:
     """F, SI, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
     from rebound."""
     mean_sd: npt.ArrayLike = ()
-    """F: standard deviation of the mean, in its unit; empty where it is not known."""
+    """Standard deviation of the mean, in its unit, F or one for all; empty where it is not known."""
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,10 @@ class SteppedSine:
     sensor of one test is fitted in all tests of a study."""
     posts: str = "heave"
     """As `mode` of Vehicle.response."""
-    validation: bool = False
-    """Left out of the fit and predicted after it."""
     name: str = ""
     """Of the recording in results; default: its file in the run's folder `inputs`."""
+    validation: bool = field(default=False, kw_only=True)
+    """Left out of the fit and predicted after it."""
 
 
 @dataclass(frozen=True)
@@ -97,6 +97,8 @@ class ModelError:
     """As a share of the standard deviation of each channel."""
     bench: float = 0.05
     """Of forces on a bench, as a share of their standard deviation."""
+    mean: float = 0.3e-3
+    """Of mean offsets of struts [m], beside their `mean_sd`."""
 
 
 class Study:
@@ -130,7 +132,7 @@ class Study:
         self._core.set_loads(dict(static_loads or {}))
         if model_error is not None:
             self._core.set_model_error(model_error.gain_dB, model_error.phase_deg, model_error.floor,
-                                       model_error.history, model_error.bench)
+                                       model_error.history, model_error.bench, model_error.mean)
 
     def _add(self, test: SteppedSine | TimeHistory | Bench) -> None:
         if isinstance(test, SteppedSine):
@@ -160,11 +162,13 @@ def _measured(name: str, one: Measured | npt.ArrayLike) -> tuple[npt.NDArray[np.
     frf = np.atleast_1d(_arrays.numbers_of(f"channel '{name}'", measured.frf, complex))
     if frf.ndim != 1:
         raise refuse("table-shape", f"channel '{name}' has {frf.ndim} dimensions: give one value per frequency")
-    sd = _arrays.vector(f"relative_sd of '{name}'", measured.relative_sd)
-    if sd.size == 1:
-        sd = np.full(frf.shape, sd[0])
-    return (frf, sd, _arrays.vector(f"the mean of '{name}'", measured.mean),
-            _arrays.vector(f"mean_sd of '{name}'", measured.mean_sd))
+    sd, mean_sd = (_arrays.vector(f"{what} of '{name}'", numbers)
+                   for what, numbers in (("relative_sd", measured.relative_sd), ("mean_sd", measured.mean_sd)))
+    return (frf, _one_for_all(sd, frf), _arrays.vector(f"the mean of '{name}'", measured.mean), _one_for_all(mean_sd, frf))
+
+
+def _one_for_all(numbers: Floats, frf: npt.NDArray[np.complex128]) -> Floats:
+    return np.full(frf.shape, numbers[0]) if numbers.size == 1 else numbers
 
 
 class Objective:

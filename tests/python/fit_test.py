@@ -141,6 +141,7 @@ def test_ctrl_c_ends_a_fit_whose_results_are_kept(tmp_path):
     (fp.SteppedSine([1, 2], 0.01, {"a_bodi": [1, 2]}), "name-unknown"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": fp.Measured([1, 2], [0.01] * 3)}), "arrays-unequal"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": ["one", "two"]}), "table-shape"),
+    (fp.SteppedSine([1, 2], 0.01, {"s_strut": fp.Measured([1, 2], mean_sd=1e-3)}), "mean-sd-without-mean"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": [[1, 2], [1]]}), "table-shape"),
     (fp.TimeHistory({"post": ["high"] * 9}, {"a_body": [0.0] * 9}, rate=100), "table-shape"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": [1, np.nan]}), "number-not-finite"),
@@ -150,6 +151,25 @@ def test_wrong_arrays_are_refused_by_id(car, tmp_path, test, id):
     with pytest.raises(fp.InputError) as raised:
         fp.fit(fp.Study(car, [test]), tmp_path / "run")
     assert raised.value.ids == [id] and "''" not in str(raised.value)
+
+
+def test_names_of_recordings_come_before_their_use():
+    sine = fp.SteppedSine([1, 2], 0.01, {"a_body": [1, 2]}, "heave", "mine", validation=True)
+    assert (sine.name, sine.validation) == ("mine", True)
+    with pytest.raises(TypeError):
+        fp.SteppedSine([1, 2], 0.01, {"a_body": [1, 2]}, "heave", "mine", True)
+
+
+def test_deviations_of_means_are_weighed_beside_the_model_error(car, tmp_path):
+    """Of means alone: chi square of the residuals goes with 1 / (mean_sd^2 + model_error.mean^2)."""
+    def square(mean_sd, error):
+        measured = fp.Measured([1, 1], 1e6, [0.1, 0.1], mean_sd)
+        study = fp.Study(car, [fp.SteppedSine([1, 2], 0.01, {"s_strut": measured})], free=["k"],
+                         model_error=fp.ModelError(mean=error))
+        return study.objective().cost([car["k"]])
+
+    assert square(3e-3, 4e-3) == pytest.approx(square([3e-3, 3e-3], 4e-3))
+    assert square((), 1e-3) / square(3e-3, 4e-3) == pytest.approx(25, rel=1e-3)
 
 
 def test_faults_of_a_study_have_their_lines(tmp_path):
