@@ -97,8 +97,7 @@ inline const Finding kRefinementsDisagree{
     "refinements-disagree", Severity::kWarning,
     "only {} of {} refinements ended in the best optimum, so a better one may exist",
     "raise 'evaluations' and 'starts' of 'search', or narrow bounds that are guesses"};
-inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
-                                  "the data also allow {} other optima, of cost {} beside {}",
+inline const Finding kOtherOptima{"other-optima", Severity::kWarning, "the data also allow {}, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};
 
 // Draws of its parameters, and predictions.
@@ -135,7 +134,7 @@ inline const Finding kBandsWithoutParameters{
 inline const Finding kDrawsCutOff{"draws-cut-off", Severity::kWarning, "ranges cut off part of the distribution of: {}",
                                   "widen ranges that are guesses", Weight::kSlight};
 inline const Finding kOptimaLeftOut{"optima-left-out", Severity::kWarning,
-                                    "{} more optima are within what the data allow, and all draws are about the best",
+                                    "{} within what the data allow, and all draws are about the best",
                                     "name the study by --study to draw about all"};
 inline const Finding kDrawsNotNormal{"draws-not-normal", Severity::kWarning,
                                      "the likelihood is not normal: {} normal draws are worth {} after weighting",

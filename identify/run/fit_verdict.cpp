@@ -102,7 +102,9 @@ void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
   std::string costs;
   for (const EndedStart& other : others) costs += (costs.empty() ? "" : ", ") + ShortNumber(other.cost, 6);
   if (!others.empty())
-    conclusions.Report(kOtherOptima, {}, {std::to_string(others.size()), costs, ShortNumber(fit.cost, 6)});
+    conclusions.Report(kOtherOptima, {},
+                       {others.size() == 1 ? "another optimum" : std::to_string(others.size()) + " other optima", costs,
+                        ShortNumber(fit.cost, 6)});
 }
 
 void AddCalibrations(const FitResult& fit, Diagnostics& conclusions) {

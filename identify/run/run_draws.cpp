@@ -138,7 +138,9 @@ class RunDrawer {
     const std::vector<EndedStart> others =
         OtherOptima(run_.others, run_.parameters, run_.cost, run_.inflation, covariance_);
     if (!others.empty() && request_.study.empty())
-      draws_.findings.Report(kOptimaLeftOut, {request_.run.string()}, {std::to_string(others.size())});
+      draws_.findings.Report(
+          kOptimaLeftOut, {request_.run.string()},
+          {others.size() == 1 ? "another optimum is" : std::to_string(others.size()) + " more optima are"});
     std::optional<FittedCost> cost;
     if (request_.noise_only || (!others.empty() && !request_.study.empty())) cost.emplace(request_, run_, hooks_);
     const std::vector<PosteriorOptimum> optima = Optima(others, cost);
