@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Mapping, Sequence, overload
 
 import numpy as np
@@ -45,7 +45,8 @@ class SteppedSine:
     """As `mode` of Vehicle.response."""
     name: str = ""
     """Of the recording in results; default: its file in the run's folder `inputs`."""
-    validation: bool = field(default=False, kw_only=True)
+    _: KW_ONLY
+    validation: bool = False
     """Left out of the fit and predicted after it."""
 
 
