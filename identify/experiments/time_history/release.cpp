@@ -61,8 +61,9 @@ VectorXd HeldPose(const CondensedModel& model, const MatrixXd& rows, const Vecto
   VectorXd holding = VectorXd::Zero(m);
   for (int i = 0; i < kMost; ++i) {
     const Statics statics = StaticsOf(model, ports, pose);
-    const VectorXd left =
-        (VectorXd(n + m) << statics.force - rows.transpose() * holding, rows * pose - readings).finished();
+    VectorXd left(n + m);
+    left.head(n) = statics.force - rows.transpose() * holding;
+    left.tail(m) = rows * pose - readings;
     const double scale = 1 + (rows.transpose() * holding).norm();
     if (left.head(n).norm() < kGood * scale && left.tail(m).norm() < kGood) return pose;
     MatrixXd system = MatrixXd::Zero(n + m, n + m);
