@@ -61,10 +61,12 @@ VectorXd HeldPose(const CondensedModel& model, const MatrixXd& rows, const Vecto
   VectorXd holding = VectorXd::Zero(m);
   for (int i = 0; i < kMost; ++i) {
     const Statics statics = StaticsOf(model, ports, pose);
+    const VectorXd held = rows.transpose() * holding;
+    const VectorXd reached = rows * pose;
     VectorXd left(n + m);
-    left.head(n) = statics.force - rows.transpose() * holding;
-    left.tail(m) = rows * pose - readings;
-    const double scale = 1 + (rows.transpose() * holding).norm();
+    left.head(n) = statics.force - held;
+    left.tail(m) = reached - readings;
+    const double scale = 1 + held.norm();
     if (left.head(n).norm() < kGood * scale && left.tail(m).norm() < kGood) return pose;
     MatrixXd system = MatrixXd::Zero(n + m, n + m);
     system.topLeftCorner(n, n) = statics.stiffness;
