@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
+#include "analysis/frequency_response/dwell_ends.h"
 #include "analysis/frequency_response/straight_runs.h"
 
 namespace fourpost {
@@ -12,6 +14,8 @@ namespace {
 
 /// A tone that explains less of its window's variance is noise, or two tones at once.
 constexpr double kTonalShare = 0.5;
+/// Of the time with a tone, in a stepped sine.
+constexpr double kMostInDwells = 0.5;
 
 /// A dwell that a disturbance has parted in two.
 bool AreOne(const Dwell& one, const Dwell& next) {
@@ -138,8 +142,11 @@ auto IsTone(std::span<const TonePoint> track) {
 
 std::vector<Dwell> FindDwells(std::span<const double> signal, std::span<const TonePoint> track) {
   const std::vector<TonePoint> sharp = SharpTrack(signal, track);
-  return Together(DwellsOn(sharp, {.window_cycles = kSharpCycles, .seed = 9, .tolerance_rad = 0.03, .share = 0.95}, 2),
-                  DwellsOn(track, {}, 4));
+  constexpr double kFewestBetween = 2.6;
+  const RunRule short_runs = {.window_cycles = kSharpCycles, .seed = 9, .tolerance_rad = 0.03, .share = 0.95};
+  std::vector<Dwell> dwells = WithSharpEnds(signal, Together(DwellsOn(sharp, short_runs, 2), DwellsOn(track, {}, 4)));
+  if (ShareInDwells(track, dwells) < kMostInDwells) return dwells;
+  return WithDwellsBetween(signal, sharp, std::move(dwells), kFewestBetween);
 }
 
 double ShareInDwells(std::span<const TonePoint> track, std::span<const Dwell> dwells) {

@@ -34,7 +34,12 @@ class DwellFit {
     end_ = std::min(last, dwell.end);
     const std::size_t tracked = reference.value_or(Largest(start_, end_));
     frequency_ = RefinedFrequency(all_[tracked], start_, end_, dwell.cycles_per_sample);
-    Extend(last, tracked);
+    // Ends are good to a fraction of a cycle. Of many blocks the last one may be lost, which the next dwell may have
+    // reached; of few ones that costs more than what it lacks.
+    constexpr double kFewBlocks = 6;
+    const double block = std::max(1.0, std::ceil(16 * frequency_)) / frequency_;
+    const double slack = end_ - start_ < kFewBlocks * block ? 0.15 : -0.5;
+    end_ = std::min(last, end_ + slack / frequency_);
     reference_ = reference;
   }
 
@@ -76,70 +81,6 @@ class DwellFit {
       }
     }
     return largest;
-  }
-
-  struct Stretch {
-    double start = 0;
-    double end = 0;
-    std::size_t blocks = 0;
-  };
-
-  /// The track is good to a cycle: its ends move as far as the post's phasors stay what they are. Of few cycles, which
-  /// blocks that begin in the middle of one would lose, those blocks count that fit in best.
-  void Extend(double last, std::size_t tracked) {
-    constexpr double kFewCycles = 6;
-    constexpr int kShifts = 4;
-    // Blocks have 16 samples at least.
-    const double cycle = std::max(1.0, std::ceil(16 * frequency_)) / frequency_;
-    std::optional<Stretch> longest = SameBlocks(all_[tracked], last, cycle, start_);
-    for (int shift = 1; shift < kShifts && end_ - start_ < kFewCycles * cycle; ++shift) {
-      const double start = start_ - cycle * shift / kShifts;
-      const std::optional<Stretch> other = start > 0 ? SameBlocks(all_[tracked], last, cycle, start) : std::nullopt;
-      if (other && (!longest || other->blocks > longest->blocks)) longest = other;
-    }
-    if (!longest) return;
-    start_ = longest->start;
-    end_ = longest->end + 1e-6;
-    frequency_ = RefinedFrequency(all_[tracked], start_, end_, frequency_);
-    // The cycles' length has changed by next to nothing; a lost last block would cost more.
-    end_ = std::min(last, end_ + 1e-3 * cycle);
-  }
-
-  /// Blocks about the middle of the dwell that have its phasor, of those that begin whole cycles from `origin`.
-  std::optional<Stretch> SameBlocks(std::span<const double> signal, double last, double cycle, double origin) const {
-    constexpr double kSame = 0.02;
-    const std::vector<std::span<const double>> post = {signal};
-    // Blocks that begin a cycle or two earlier, of the same phase.
-    const double room = std::min(3.0, std::floor(origin / cycle));
-    const double first = origin - room * cycle;
-    const double end = std::min(last, end_ + 3 * cycle);
-    const CyclePhasors cycles = PhasorsByCycle(post, first, end, frequency_, origin);
-    const std::vector<Complex>& phasor = cycles.phasor.front();
-    if (phasor.size() < 4) return std::nullopt;
-    // About the middle, of at most five blocks within the dwell.
-    const double centre =
-        std::clamp((0.5 * (start_ + end_) - first) / cycle - 0.5, 1.0, static_cast<double>(phasor.size() - 2));
-    const auto middle = static_cast<std::size_t>(std::round(centre));
-    const auto reach = static_cast<std::size_t>(std::clamp(0.5 * (end_ - start_) / cycle - 0.5, 1.0, 2.0));
-    const std::size_t low = middle - std::min(middle, reach);
-    const std::size_t high = std::min(middle + reach + 1, phasor.size());
-    Complex usual;
-    for (std::size_t k = low; k < high; ++k) usual += phasor[k] / static_cast<double>(high - low);
-    double scatter = 0;
-    for (std::size_t k = low; k < high; ++k)
-      scatter += std::norm(phasor[k] - usual) / static_cast<double>(high - low - 1);
-    const double limit = std::max(kSame * std::abs(usual), 4 * std::sqrt(scatter));
-    const auto is_same = [&](std::size_t k) { return std::abs(phasor[k] - usual) < limit; };
-    std::size_t begin = middle;
-    while (begin > 0 && is_same(begin - 1)) --begin;
-    std::size_t stop = middle;
-    while (stop + 1 < phasor.size() && is_same(stop + 1)) ++stop;
-    // The last one may hold a part of the next dwell that is too small to be seen.
-    constexpr std::size_t kEnough = 6;
-    if (stop - begin >= kEnough) --stop;
-    return Stretch{.start = first + static_cast<double>(begin) * cycle,
-                   .end = first + static_cast<double>(stop + 1) * cycle,
-                   .blocks = stop + 1 - begin};
   }
 
   std::vector<Complex> MotionByCycle(const CyclePhasors& cycles, const PostShares& shares) const {
@@ -230,15 +171,6 @@ void AddTransients(std::vector<DwellResponse>& responses, double rate_Hz) {
   }
 }
 
-RestLevel LevelOf(std::span<const double> still, double rate_Hz) {
-  constexpr double kBlock_s = 0.1;
-  const auto size = static_cast<std::size_t>(std::max(1.0, std::round(kBlock_s * rate_Hz)));
-  std::vector<double> means;
-  for (std::size_t first = 0; first + size <= still.size(); first += size)
-    means.push_back(Mean(still.subspan(first, size)));
-  return {.mean = Mean(still), .variance = VarianceOfMean(std::span<const double>(means))};
-}
-
 }  // namespace
 
 double DwellChannel::Distortion() const {
@@ -255,29 +187,6 @@ std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<
       responses.push_back(*std::move(response));
   AddTransients(responses, signals.rate_Hz);
   return responses;
-}
-
-std::vector<RestLevel> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells) {
-  constexpr double kRest = 5e-3;
-  constexpr double kLeast_s = 0.5;
-  double largest = 0;
-  for (const Dwell& dwell : dwells) largest = std::max(largest, dwell.amplitude);
-  const auto length = static_cast<std::size_t>(std::ceil(kLeast_s * signals.rate_Hz));
-  const auto is_still = [&](std::size_t first) {
-    return std::all_of(signals.posts.begin(), signals.posts.end(), [&](std::span<const double> post) {
-      const auto [low, high] = std::minmax_element(post.begin() + static_cast<std::ptrdiff_t>(first),
-                                                   post.begin() + static_cast<std::ptrdiff_t>(first + length));
-      // Noise makes peaks of some standard deviations; its rms counts.
-      return DeviationOf(post.subspan(first, length)) < kRest * largest && *high - *low < 10 * kRest * largest;
-    });
-  };
-  std::size_t still = 0;
-  while (still + length <= signals.samples() && is_still(still)) still += length;
-  std::vector<RestLevel> levels;
-  if (still == 0) return levels;
-  for (const std::span<const double> channel : signals.channels)
-    levels.push_back(LevelOf(channel.first(still), signals.rate_Hz));
-  return levels;
 }
 
 }  // namespace fourpost

@@ -62,16 +62,4 @@ struct DwellResponse {
 std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<const Dwell> dwells,
                                            std::optional<std::size_t> reference = std::nullopt);
 
-/// A channel's reading where nothing moves, in its unit.
-struct RestLevel {
-  double mean = 0;
-  /// Of the mean, by the scatter of tenths of a second.
-  double variance = 0;
-};
-
-/// Of every channel before the posts first move, by no more than half a per cent of the largest amplitude for half
-/// a second at least; empty where they move from the start. Later pauses do not count: the vehicle still rings down in
-/// them.
-std::vector<RestLevel> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells);
-
 }  // namespace fourpost

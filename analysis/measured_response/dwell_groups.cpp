@@ -41,6 +41,25 @@ double Spread(std::span<const DwellResponse> repeats, Value value, std::complex<
   return repeats.size() > 1 ? sum / (n - 1) / n : 0;
 }
 
+/// The mean offset, over the repeats of recordings that begin at rest.
+void AverageMean(std::span<const DwellResponse> repeats, std::size_t c, DwellChannel& channel) {
+  std::vector<DwellResponse> from_rest;
+  for (const DwellResponse& repeat : repeats)
+    if (!std::isnan(repeat.channels[c].mean)) from_rest.push_back(repeat);
+  if (from_rest.empty()) return;
+  const double n = static_cast<double>(from_rest.size());
+  const auto mean_of = [c](const DwellResponse& repeat) { return repeat.channels[c].mean; };
+  double mean = 0;
+  double variance = 0;
+  for (const DwellResponse& repeat : from_rest) {
+    mean += mean_of(repeat) / n;
+    // What transients leave is the same in every repeat.
+    variance += repeat.channels[c].mean_variance / n;
+  }
+  channel.mean = mean;
+  channel.mean_variance = std::max(variance, Spread(from_rest, mean_of, mean));
+}
+
 }  // namespace
 
 std::vector<DwellGroup> GroupsOf(std::span<const DwellResponse> dwells) {
@@ -71,16 +90,12 @@ DwellResponse MeanOf(std::span<const DwellResponse> repeats) {
   for (std::size_t c = 0; c < mean.channels.size(); ++c) {
     DwellChannel& channel = mean.channels[c];
     const auto response_of = [c](const DwellResponse& repeat) { return repeat.channels[c].response; };
-    const auto mean_of = [c](const DwellResponse& repeat) { return repeat.channels[c].mean; };
     channel.response = average(response_of);
-    channel.mean = average(mean_of);
     for (std::size_t h = 0; h < channel.harmonics.size(); ++h)
       channel.harmonics[h] = average([&](const DwellResponse& repeat) { return repeat.channels[c].harmonics[h]; });
     const double within = average([c](const DwellResponse& repeat) { return repeat.channels[c].variance; }) / n;
     channel.variance = std::max(within, Spread(repeats, response_of, channel.response));
-    // What transients leave is the same in every repeat.
-    const double of_mean = average([c](const DwellResponse& repeat) { return repeat.channels[c].mean_variance; });
-    channel.mean_variance = std::max(of_mean, Spread(repeats, mean_of, channel.mean));
+    AverageMean(repeats, c, channel);
   }
   return mean;
 }

@@ -2,54 +2,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "analysis/frequency_response/rest_level.h"
 #include "analysis/measured_response/findings.h"
+#include "analysis/measured_response/missed_motions.h"
 #include "analysis/signals/median.h"
 #include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {
 
-/// "no dwell was found from 2.0 to 8.1 s ..." of motions that are not used, for two seconds at least: too short for a
-/// dwell, or not steady.
-std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked, const std::vector<Dwell>& dwells) {
-  constexpr double kLeast_s = 2;
-  constexpr double kMoves = 0.1;
-  const std::vector<double>& post = looked.recording.heights[looked.largest_post];
-  const double rate_Hz = looked.recording.rate_Hz;
-  double largest = 0;
-  for (const Dwell& dwell : dwells) largest = std::max(largest, dwell.amplitude);
-  std::vector<std::string> list;
-  std::size_t begin = 0;
-  for (std::size_t d = 0; d <= dwells.size(); ++d) {
-    const bool is_last = d == dwells.size();
-    const auto end = is_last ? post.size() : std::min(post.size(), static_cast<std::size_t>(dwells[d].start));
-    // The ends of dwells are known to a cycle.
-    double least_s = kLeast_s;
-    const auto cycle_s = [&](const Dwell& dwell) { return 1 / (dwell.cycles_per_sample * rate_Hz); };
-    if (d > 0) least_s += cycle_s(dwells[d - 1]);
-    if (!is_last) least_s += cycle_s(dwells[d]);
-    std::vector<std::size_t> moving;
-    const auto at = [&](std::size_t k) { return post.begin() + static_cast<std::ptrdiff_t>(k); };
-    const double rest = begin < end ? Median(std::vector<double>(at(begin), at(end))) : 0;
-    for (std::size_t k = begin; k < end; ++k)
-      if (std::abs(post[k] - rest) > kMoves * largest) moving.push_back(k);
-    const std::size_t first = moving.empty() ? begin : moving.front();
-    const std::size_t last = moving.empty() ? begin : moving.back();
-    if (static_cast<double>(moving.size()) > least_s * rate_Hz)
-      list.push_back("no dwell was found from " + Rounded(static_cast<double>(first) / rate_Hz, 3) + " to " +
-                     Rounded(static_cast<double>(last) / rate_Hz, 3) +
-                     " s, where the posts move: left out; dwell for ten cycles, or state the frequencies by `fourpost "
-                     "frf --frequencies`");
-    if (!is_last) begin = std::min(post.size(), static_cast<std::size_t>(dwells[d].end));
-  }
-  return list;
-}
-
 /// Of a dwell, for a response: ten, and four blocks of 16 samples, one of which is the run-in.
 int EnoughCycles(const Dwell& dwell) {
   return std::max(10, 4 * static_cast<int>(std::ceil(16 * dwell.cycles_per_sample)));
+}
+
+/// NaN where a recording does not begin at rest.
+void TakeFromRest(const Rest& rest, DwellResponse& response) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const bool has_rest = !rest.levels.empty();
+  for (std::size_t c = 0; c < response.channels.size(); ++c) {
+    response.channels[c].mean -= has_rest ? rest.levels[c].mean : kUnknown;
+    response.channels[c].mean_variance += has_rest ? rest.levels[c].variance : kUnknown;
+  }
+}
+
+bool HasMeans(const DwellResponse& response) {
+  return std::none_of(response.channels.begin(), response.channels.end(),
+                      [](const DwellChannel& channel) { return std::isnan(channel.mean); });
+}
+
+/// "a.csv does not begin at rest: its posts move by 0.12 mm at 16.0 Hz, of which 0.0075 mm would be rest"
+std::string MotionInWords(const Rest& rest, const std::filesystem::path& file) {
+  return file.filename().string() + " does not begin at rest: in its first half second a post moves by " +
+         Rounded(1e3 * rest.motion, 2) + " mm" +
+         (rest.frequency_Hz > 0 ? " at " + Rounded(rest.frequency_Hz, 3) + " Hz" : "") + ", more than " +
+         Rounded(1e3 * rest.limit, 2) + " mm";
 }
 
 /// Frequency, first and last second, what is enough in cycles and in seconds.
@@ -113,21 +103,19 @@ void DwellResponses::Add(const LookedAt& looked) {
     return;
   }
   const double rate_Hz = looked.recording.rate_Hz;
+  const std::size_t stated = work_.request.frequencies_Hz.size();
   std::vector<Dwell> short_ones;
   for (const Dwell& dwell : looked.dwells) {
     if (HasResponse(dwell, responses)) answered_Hz_.push_back(dwell.cycles_per_sample * rate_Hz);
     else short_ones.push_back(dwell);
   }
   for (const std::vector<std::string>& list :
-       {MotionsWithoutDwell(looked, looked.dwells), ShortDwells(short_ones, rate_Hz)})
+       {MotionsWithoutDwell(looked, stated > 0), ShortDwells(short_ones, rate_Hz)})
     work_.out.missed.insert(work_.out.missed.end(), list.begin(), list.end());
-  const std::vector<RestLevel> rest = LevelsAtRest(signals, looked.dwells);
-  has_rest_ = has_rest_ && !rest.empty();
+  const Rest rest = RestBefore(signals, looked.dwells);
+  if (rest.levels.empty()) work_.out.without_rest.push_back(MotionInWords(rest, looked.file));
   for (DwellResponse& response : responses) {
-    for (std::size_t c = 0; c < rest.size(); ++c) {
-      response.channels[c].mean -= rest[c].mean;
-      response.channels[c].mean_variance += rest[c].variance;
-    }
+    TakeFromRest(rest, response);
     UndoFilter(response);
     ++work_.out.dwells;
     cycles_.push_back(response.cycles);
@@ -141,7 +129,9 @@ void DwellResponses::Refuse(const LookedAt& looked) const {
   const std::size_t stated = work_.request.frequencies_Hz.size();
   if (!looked.dwells.empty()) {
     std::vector<std::string> words = InWords(looked.dwells.front(), looked.recording.rate_Hz);
-    words.insert(words.begin(), {std::to_string(looked.dwells.size()), post});
+    const bool is_one = looked.dwells.size() == 1;
+    words.insert(words.begin(), {is_one ? "the dwell" : "all " + std::to_string(looked.dwells.size()) + " dwells", post,
+                                 is_one ? "is" : "are"});
     work_.Fault(kResponseDwellsShort, looked.file, words);
   } else if (stated > 0) {
     work_.Fault(kResponseStatedNone, looked.file, {post, std::to_string(stated)});
@@ -177,7 +167,6 @@ void DwellResponses::UndoFilter(DwellResponse& response) const {
 void DwellResponses::Finish() {
   const std::filesystem::path& file = work_.request.files.front();
   work_.out.median_cycles = Median(cycles_);
-  work_.out.has_rest = has_rest_;
   if (work_.out.unsettled > 0)
     work_.Fault(kResponseNotSettled, file,
                 {std::to_string(work_.out.unsettled), std::to_string(work_.out.dwells), Rounded(unsettled_Hz_, 3)});
@@ -200,7 +189,15 @@ MeasuredResponse DwellResponses::ResponseOf(const DwellGroup& group) {
     out.response.amplitude_m.push_back(mean.amplitude);
     for (std::size_t c = 0; c < work_.names.size(); ++c) AddDwell(mean, c, out.response.channels[c]);
   }
-  for (std::size_t c = 0; c < work_.names.size(); ++c) AddQuality(means, c, out);
+  const bool has_means = std::all_of(means.begin(), means.end(), HasMeans);
+  work_.out.has_means = work_.out.has_means || has_means;
+  for (std::size_t c = 0; c < work_.names.size(); ++c) {
+    for (std::size_t i = 0; has_means && i < means.size(); ++i) {
+      out.response.channels[c].mean.push_back(means[i].channels[c].mean);
+      out.response.channels[c].mean_sd.push_back(std::sqrt(means[i].channels[c].mean_variance));
+    }
+    AddQuality(means, c, out);
+  }
   work_.CheckPosts(Median(rests), out);
   return out;
 }
@@ -208,10 +205,6 @@ MeasuredResponse DwellResponses::ResponseOf(const DwellGroup& group) {
 void DwellResponses::AddDwell(const DwellResponse& dwell, std::size_t c, ChannelResponse& channel) const {
   const DwellChannel& measured = dwell.channels[c];
   AddResponse(measured.response, measured.variance, dwell.frequency_Hz, channel);
-  if (has_rest_) {
-    channel.mean.push_back(measured.mean);
-    channel.mean_sd.push_back(std::sqrt(measured.mean_variance));
-  }
   channel.second_harmonic.push_back(measured.harmonics.size() > 1 ? measured.harmonics[1] : 0);
 }
 

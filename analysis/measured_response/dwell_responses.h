@@ -35,7 +35,6 @@ class DwellResponses {
   std::vector<double> cycles_;
   /// Of the dwells that gave responses.
   std::vector<double> answered_Hz_;
-  bool has_rest_ = true;
   double unsettled_Hz_ = 0;
 };
 

@@ -35,12 +35,11 @@ inline const Finding kResponseNoDwell{"response-no-dwell", Severity::kError,
                                       "no dwell of a stepped sine: the post {} keeps no frequency for four cycles",
                                       "state the frequencies of the dwells, as by --kind stepped --frequencies "
                                       "0.5Hz:30Hz:0.1Hz; or --kind sweep or --kind random; or dwell longer"};
-inline const Finding kResponseDwellsShort{
-    "response-dwells-short", Severity::kError,
-    "all {} dwells of post {} are too short for a response, as that at {} Hz from {} to {} s",
-    "dwell for {} cycles, {} s there; or state --kind sweep or --kind random"};
+inline const Finding kResponseDwellsShort{"response-dwells-short", Severity::kError,
+                                          "{} of post {} {} too short for a response, as that at {} Hz from {} to {} s",
+                                          "dwell for {} cycles, {} s there; or state --kind sweep or --kind random"};
 inline const Finding kResponseStatedNone{"response-stated-none", Severity::kError,
-                                         "the post {} keeps none of the {} stated frequencies for a cycle and a half",
+                                         "the post {} keeps none of the {} stated frequencies for three cycles",
                                          "check them; or state none, and dwells of four cycles are found"};
 inline const Finding kResponseStatedMissing{"response-stated-missing", Severity::kWarning,
                                             "{} of {} stated frequencies have no dwell long enough: {}",

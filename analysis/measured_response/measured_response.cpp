@@ -69,7 +69,7 @@ class ResponseMaker {
     if (!work_.request.kind || is_stepped) looked.dwells = FindDwells(post, looked.track);
     looked.kind = work_.request.kind ? *work_.request.kind : KindOf(post, looked.track, looked.dwells);
     if (looked.kind == ExcitationKind::kStepped && !work_.request.frequencies_Hz.empty())
-      looked.dwells = DwellsOfFrequencies(post, looked.track, StatedPerSample(looked.recording.rate_Hz));
+      looked.dwells = DwellsOfFrequencies(post, looked.track, looked.dwells, StatedPerSample(looked.recording.rate_Hz));
     return looked;
   }
 

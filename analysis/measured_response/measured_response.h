@@ -61,8 +61,8 @@ struct MeasuredResponse {
   PostShares shares;
   /// See PatternOf().
   std::optional<std::string> pattern;
-  /// Deviations are those of the mean over repeats. Means are relative to rest, empty where a record does not begin at
-  /// rest.
+  /// Deviations are those of the mean over repeats. Means are relative to rest, over the repeats of recordings that
+  /// begin at rest; empty where a frequency has none.
   FrequencyResponse response;
   /// Stepped sines: dwells at each frequency.
   std::vector<int> repeats = {};
@@ -78,7 +78,9 @@ struct MeasuredResponses {
   int dwells = 0;
   int unsettled = 0;
   double median_cycles = 0;
-  bool has_rest = false;
+  /// Whether a response has them; and of recordings that do not begin at rest, and have none, by how much posts move.
+  bool has_means = false;
+  std::vector<std::string> without_rest = {};
   /// Sweeps and random motions: least and greatest number of independent averages.
   double least_averages = 0;
   double most_averages = 0;

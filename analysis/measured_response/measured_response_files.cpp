@@ -90,14 +90,19 @@ std::string Percent(double share, int digits = 2) {
   return std::isfinite(share) ? Rounded(100 * share, digits) : "none";
 }
 
+std::string Counted(int count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string FoundText(const MeasuredResponses& measured) {
   std::string text = KindInWords(measured.kind) + ", " + Rounded(measured.duration_s, 4) + " s at " +
                      Rounded(measured.rate_Hz, 4) + " Hz; ";
   switch (measured.kind) {
     case ExcitationKind::kStepped:
-      text += std::to_string(measured.dwells) + " dwells, " + Rounded(measured.median_cycles, 3) +
-              " settled cycles each (median); mean offsets " +
-              (measured.has_rest ? "relative to rest" : "not known, as a record does not begin at rest");
+      text += Counted(measured.dwells, "dwell") + ", " + Rounded(measured.median_cycles, 3) + " settled cycles" +
+              (measured.dwells == 1 ? "" : " each (median)") + "; mean offsets " +
+              (measured.has_means ? "relative to rest" : "not known");
+      for (const std::string& without : measured.without_rest) text += '\n' + without;
       break;
     case ExcitationKind::kSweep:
     case ExcitationKind::kRandom:
@@ -136,13 +141,16 @@ TextTable TableOf(const MeasuredResponses& measured, const MeasuredResponse& res
 std::string ResponseText(const MeasuredResponses& measured, const MeasuredResponse& response) {
   const FrequencyResponse& values = response.response;
   const auto [least, most] = std::minmax_element(values.amplitude_m.begin(), values.amplitude_m.end());
+  const bool is_one = values.frequency_Hz.size() == 1;
   std::string text = response.name + ": posts " + Shares(measured, response) + ", the reference is " +
                      measured.posts[response.shares.reference] + "; " +
                      (response.shares.rest < 1e-4 ? "less than 0.01" : Percent(response.shares.rest)) +
-                     " % of their motion is off this pattern\n" + std::to_string(values.frequency_Hz.size()) +
-                     " frequencies from " + Rounded(values.frequency_Hz.front(), 4) + " to " +
-                     Rounded(values.frequency_Hz.back(), 4) + " Hz, post amplitude " + Rounded(1e3 * *least, 3) +
-                     (*most > 1.001 * *least ? " to " + Rounded(1e3 * *most, 3) : "") + " mm";
+                     " % of their motion is off this pattern\n" +
+                     (is_one ? "1 frequency, " : std::to_string(values.frequency_Hz.size()) + " frequencies from ") +
+                     Rounded(values.frequency_Hz.front(), 4) +
+                     (is_one ? "" : " to " + Rounded(values.frequency_Hz.back(), 4)) + " Hz, post amplitude " +
+                     Rounded(1e3 * *least, 3) + (*most > 1.001 * *least ? " to " + Rounded(1e3 * *most, 3) : "") +
+                     " mm";
   if (!response.repeats.empty()) {
     const auto [fewest, all] = std::minmax_element(response.repeats.begin(), response.repeats.end());
     if (*all > 1)

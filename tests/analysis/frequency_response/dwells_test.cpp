@@ -65,9 +65,9 @@ struct ShortDwells {
   std::vector<double> end;
 };
 
-/// Dwells of as many cycles, with harmonics of 3 % each, noise of 1 % of all, and pauses.
+/// Dwells of as many cycles, with harmonics of 3 % each, noise of a share of all, and pauses.
 ShortDwells MakeShortDwells(const std::vector<double>& frequencies_Hz, double cycles, double pause_s,
-                            std::uint64_t seed) {
+                            std::uint64_t seed, double noise = 0.01) {
   constexpr double kHarmonic = 0.03;
   ShortDwells made{.signal = std::vector<double>(static_cast<std::size_t>(2 * kRate), 0.0),
                    .frequencies_Hz = frequencies_Hz};
@@ -83,7 +83,7 @@ ShortDwells MakeShortDwells(const std::vector<double>& frequencies_Hz, double cy
     made.end.push_back(static_cast<double>(made.signal.size()));
     made.signal.resize(made.signal.size() + static_cast<std::size_t>(pause_s * kRate), 0.0);
   }
-  made.signal = Noisy(std::move(made.signal), 0.01, 0.02, seed);
+  made.signal = Noisy(std::move(made.signal), noise, 0.02, seed);
   return made;
 }
 
@@ -129,6 +129,79 @@ TEST(Dwells, OfFourCyclesAreFound) {
       }
 }
 
+std::vector<double> FromTo(double first_Hz, double ratio, int count) {
+  std::vector<double> frequencies;
+  for (int k = 0; k < count; ++k) frequencies.push_back(first_Hz * std::pow(ratio, k));
+  return frequencies;
+}
+
+// Windows of two cycles see a large step twice, once from each side, so that little is left of four cycles.
+TEST(Dwells, OfFourCyclesAreFoundBesideLargeSteps) {
+  // A tenth of the smallest amplitudes.
+  constexpr double kNoise = 0.005;
+  const std::vector<double> irregular = {1, 2, 4, 8, 12, 16, 20};
+  std::vector<std::vector<double>> sets = {
+      irregular, {10, 15, 20, 25, 30}, {2, 3, 4, 5, 6, 7, 8}, FromTo(1, std::cbrt(2.0), 14), FromTo(0.5, 2, 6)};
+  for (std::size_t k = 0; k < 5; ++k) {
+    sets.push_back(sets[k]);
+    std::reverse(sets.back().begin(), sets.back().end());
+  }
+  for (const double cycles : {4.0, 5.0, 6.0})
+    for (const double pause_s : {0.0, 1.0}) {
+      std::size_t all = 0;
+      std::size_t right = 0;
+      std::size_t stated = 0;
+      std::size_t found = 0;
+      for (const std::vector<double>& frequencies_Hz : sets) {
+        const ShortDwells made = MakeShortDwells(frequencies_Hz, cycles, pause_s, 1, kNoise);
+        const std::vector<TonePoint> track = TrackTone(made.signal);
+        const std::vector<Dwell> dwells = FindDwells(made.signal, track);
+        std::vector<double> known = frequencies_Hz;
+        std::sort(known.begin(), known.end());
+        for (double& frequency : known) frequency /= kRate;
+        all += frequencies_Hz.size();
+        found += dwells.size();
+        right += CountFound(made, dwells);
+        // To know the frequencies must not cost a dwell.
+        stated += CountFound(made, DwellsOfFrequencies(made.signal, track, dwells, known));
+      }
+      EXPECT_GE(static_cast<double>(right), 0.98 * static_cast<double>(all)) << cycles << ' ' << pause_s;
+      EXPECT_GE(stated, right) << cycles << ' ' << pause_s;
+      EXPECT_LE(found, all) << cycles << ' ' << pause_s;
+    }
+}
+
+// Where ten cycles and three take turns, next to all of the short ones are found.
+TEST(Dwells, OfThreeCyclesAreFoundBetweenOthers) {
+  ShortDwells made{.signal = std::vector<double>(static_cast<std::size_t>(2 * kRate), 0.0)};
+  double phase = 0;
+  for (int k = 0; k < 12; ++k) {
+    made.frequencies_Hz.push_back(1.5 * std::pow(1.27, k));
+    made.start.push_back(static_cast<double>(made.signal.size()));
+    for (double n = std::round((k % 2 == 0 ? 10 : 3) / made.frequencies_Hz.back() * kRate); n > 0; --n)
+      made.signal.push_back(2e-3 * std::sin(phase += 2 * std::numbers::pi * made.frequencies_Hz.back() / kRate));
+    made.end.push_back(static_cast<double>(made.signal.size()));
+  }
+  made.signal = Noisy(std::move(made.signal), 0.005, 0.02, 1);
+  const std::vector<Dwell> dwells = DwellsOf(made.signal);
+  EXPECT_GE(CountFound(made, dwells), 11U);
+  EXPECT_LE(dwells.size(), 12U);
+}
+
+// Ends are good to a quarter of a cycle where the next frequency or amplitude is another by a tenth.
+TEST(Dwells, EndWhereTheSineDoes) {
+  for (const double pause_s : {0.0, 1.0}) {
+    const ShortDwells made = MakeShortDwells(FromTo(0.5, 1.2, 16), 8, pause_s, 1);
+    const std::vector<Dwell> dwells = DwellsOf(made.signal);
+    ASSERT_EQ(dwells.size(), made.start.size());
+    for (std::size_t k = 0; k < dwells.size(); ++k) {
+      const double cycle = kRate / made.frequencies_Hz[k];
+      EXPECT_NEAR(dwells[k].start, made.start[k], 0.25 * cycle);
+      EXPECT_NEAR(dwells[k].end, made.end[k], 0.25 * cycle);
+    }
+  }
+}
+
 // Steps of 0.1 Hz are 1 % at 10 Hz, and six cycles of these look like a sweep.
 TEST(Dwells, OfStatedFrequenciesAreFoundWhereStepsAreSmall) {
   std::vector<double> frequencies;
@@ -137,18 +210,20 @@ TEST(Dwells, OfStatedFrequenciesAreFoundWhereStepsAreSmall) {
   const std::vector<TonePoint> track = TrackTone(made.signal);
   EXPECT_LT(CountFound(made, FindDwells(made.signal, track)), 100U);
   for (double& frequency : frequencies) frequency /= kRate;
-  const std::vector<Dwell> stated = DwellsOfFrequencies(made.signal, track, frequencies);
+  const std::vector<Dwell> stated =
+      DwellsOfFrequencies(made.signal, track, FindDwells(made.signal, track), frequencies);
   EXPECT_EQ(stated.size(), 116U);
   // Noise of 6 % of the last ones may move an end by more than 1.3 cycles.
   EXPECT_GE(CountFound(made, stated), 115U);
-  EXPECT_TRUE(DwellsOfFrequencies(made.signal, track, std::vector<double>{0.1}).empty());
+  EXPECT_TRUE(DwellsOfFrequencies(made.signal, track, {}, std::vector<double>{0.1}).empty());
 }
 
 // Half of the way between frequencies far apart is far from both.
 TEST(Dwells, OfStatedFrequenciesAreNearThem) {
   const ShortDwells made = MakeShortDwells({2, 5, 10, 15, 20}, 10, 1, 1);
   const std::vector<TonePoint> track = TrackTone(made.signal);
-  const std::vector<Dwell> found = DwellsOfFrequencies(made.signal, track, std::vector<double>{2 / kRate, 20 / kRate});
+  const std::vector<Dwell> found = DwellsOfFrequencies(made.signal, track, FindDwells(made.signal, track),
+                                                       std::vector<double>{2 / kRate, 20 / kRate});
   EXPECT_EQ(found.size(), 2U);
   for (const Dwell& dwell : found) {
     const bool is_first = dwell.cycles_per_sample * kRate < 10;

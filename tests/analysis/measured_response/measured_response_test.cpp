@@ -61,7 +61,8 @@ TEST(MeasuredResponse, OfASteppedSineIsInSiByReference) {
   ASSERT_TRUE(measured) << diagnostics.Format();
   EXPECT_EQ(measured->kind, ExcitationKind::kStepped);
   EXPECT_EQ(measured->dwells, 4);
-  EXPECT_TRUE(measured->has_rest);
+  EXPECT_TRUE(measured->has_means);
+  EXPECT_TRUE(measured->without_rest.empty());
   EXPECT_THAT(measured->left_out, ElementsAre("oil"));
   ASSERT_EQ(measured->responses.size(), 1U);
   const MeasuredResponse& pitch = measured->responses.front();
@@ -127,6 +128,35 @@ TEST(MeasuredResponse, HasDeviationsOfMeansThatItsFileKeeps) {
   ASSERT_TRUE(read) << diagnostics.Format();
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(read->channels[0].mean_sd[i] / response.channels[0].mean_sd[i], 1, 1e-5);
+}
+
+// Of two files the one that does not begin at rest has no means; that of the other is not lost.
+TEST(MeasuredResponse, HasMeansOfFilesThatBeginAtRest) {
+  const std::vector<double> post = SteppedSine(kFrequencies, 20, kRate);
+  const std::vector<double> late(post.begin() + static_cast<std::ptrdiff_t>(2.1 * kRate), post.end());
+  const auto text = [](const std::vector<double>& heights) {
+    std::vector<double> channel;
+    for (const double z : heights) channel.push_back(2 * z + 5 * z * z);
+    return Csv({"post_FL", "s"}, {"m", "m"}, {heights, Noisy(channel, 0.001, 0, 7)});
+  };
+  const TemporaryFolder folder;
+  const std::filesystem::path with = folder.Write("with.csv", text(post));
+  const std::filesystem::path without = folder.Write("without.csv", text(late));
+  Diagnostics diagnostics;
+  const auto both = MeasureResponses({.files = {with, without}}, diagnostics);
+  ASSERT_TRUE(both) << diagnostics.Format();
+  EXPECT_THAT(both->responses.front().repeats, ElementsAre(2, 2, 2, 2));
+  ASSERT_EQ(both->responses.front().response.channels[0].mean.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double mean = 2.5 * std::pow(RigAmplitude(kFrequencies[i]), 2);
+    EXPECT_NEAR(both->responses.front().response.channels[0].mean[i], mean, 0.05 * mean + 1e-6);
+  }
+  ASSERT_EQ(both->without_rest.size(), 1U);
+  EXPECT_THAT(both->without_rest[0], testing::ContainsRegex("without.csv does not begin at rest: .* more than 0.06"));
+  const auto alone = MeasureResponses({.files = {without}}, diagnostics);
+  ASSERT_TRUE(alone);
+  EXPECT_TRUE(alone->responses.front().response.channels[0].mean.empty());
+  EXPECT_NE(MeasuredText(*alone).find("mean offsets not known"), std::string::npos);
 }
 
 TEST(MeasuredResponse, UndoesTheFilterOfTheRig) {
@@ -197,6 +227,60 @@ TEST(MeasuredResponse, NamesDwellsThatAreTooShort) {
   EXPECT_EQ(stated->dwells, 3);
   EXPECT_EQ(stated->missed.size(), 1U);
   EXPECT_THAT(diagnostics, Reports(kResponseStatedMissing, {"1 of 4", "12.0 Hz", "10 cycles", "0.83 s"}));
+}
+
+// Two tones at once between dwells: half a second is many of their cycles.
+TEST(MeasuredResponse, NamesMotionsWithoutADwellByTheirCycles) {
+  std::vector<double> post = SteppedSine({15, 18}, 20, kRate);
+  const std::size_t begin = post.size();
+  for (double k = 0; k < 0.5 * kRate; ++k)
+    post.push_back(RigAmplitude(20) * (std::sin(2 * std::numbers::pi * 20 / kRate * k) +
+                                       0.7 * std::sin(2 * std::numbers::pi * 27 / kRate * k)));
+  const std::vector<double> more = SteppedSine({22}, 20, kRate);
+  post.insert(post.end(), more.begin() + static_cast<std::ptrdiff_t>(2 * kRate), more.end());
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  EXPECT_EQ(measured->dwells, 3);
+  ASSERT_EQ(measured->missed.size(), 1U);
+  EXPECT_THAT(measured->missed[0], testing::HasSubstr("no dwell was found from 10"));
+  EXPECT_THAT(measured->missed[0], testing::HasSubstr("or state the frequencies"));
+  EXPECT_EQ(begin, static_cast<std::size_t>(10 * kRate));
+  const auto stated = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics,
+                              {.kind = ExcitationKind::kStepped, .frequencies_Hz = {15, 18, 22}});
+  ASSERT_TRUE(stated);
+  ASSERT_EQ(stated->missed.size(), 1U);
+  EXPECT_THAT(stated->missed[0], testing::Not(testing::HasSubstr("state the frequencies")));
+}
+
+// As one counts: "1 dwell", "1 frequency".
+TEST(MeasuredResponse, OfOneDwellIsInTheSingular) {
+  const std::vector<double> post = SteppedSine({4}, 20, kRate);
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  const std::string text = MeasuredText(*measured);
+  EXPECT_NE(text.find("1 dwell, "), std::string::npos) << text;
+  EXPECT_NE(text.find("1 frequency, 4.000 Hz"), std::string::npos) << text;
+}
+
+TEST(MeasuredResponse, TakesTheFeedbackOfAPost) {
+  const std::vector<double> command = SteppedSine(kFrequencies, 20, kRate);
+  std::vector<double> feedback(command.size(), 0.0);
+  for (std::size_t k = 2; k < feedback.size(); ++k) feedback[k] = 0.95 * command[k - 2];
+  Diagnostics diagnostics;
+  const auto measured = Measure(
+      Csv({"Zyl_VL_soll", "Zyl_VL_ist", "s"}, {"m", "m", "m"}, {command, feedback, Times(2, feedback)}), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  EXPECT_THAT(measured->posts, ElementsAre("FL"));
+  EXPECT_THAT(measured->responses.front().repeats, ElementsAre(1, 1, 1, 1));
+  ASSERT_EQ(measured->responses.front().response.channels.size(), 1U);
+  for (const std::complex<double> response : measured->responses.front().response.channels[0].response)
+    EXPECT_LT(std::abs(response - 2.0), 1e-6);
+  EXPECT_THAT(measured->preparations, ElementsAre(testing::HasSubstr("'Zyl_VL_ist' is FL")));
+  const std::string twice = Csv({"ram FL", "cyl FL", "s"}, {"m", "m", "m"}, {command, feedback, command});
+  EXPECT_FALSE(Measure(twice, diagnostics));
+  EXPECT_THAT(diagnostics, Reports(kResponsePostTwice, {"'ram FL', 'cyl FL'", "--post 'ram FL=NAME'"}));
 }
 
 TEST(MeasuredResponse, SaysWhyThereIsNoDwell) {
