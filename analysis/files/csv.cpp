@@ -67,7 +67,7 @@ class CsvParser {
     if (record_.fault) return Fault(record_.line, record_.fault);
     table_.names_ = record_.fields;
     table_.names_line_ = record_.line;
-    WithoutMark(table_.names_.front());
+    names_are_marked_ = TakeMark(table_.names_.front());
     const bool ends_with_separator = table_.columns() > 1 && table_.names_.back().empty();
     while (table_.columns() > 1 && table_.names_.back().empty()) table_.names_.pop_back();
     ends_with_comment_ = table_.columns() > 2 && IsComment(table_.names_.back());
@@ -76,11 +76,13 @@ class CsvParser {
     if (fault) Fault(table_.names_line_, fault);
   }
 
-  /// A line of names may be marked as a comment.
-  static void WithoutMark(std::string& name) {
-    if (name.size() < 2 || (name[0] != '#' && name[0] != '%')) return;
-    const std::size_t first = name.find_first_not_of("#% ");
-    if (first != std::string::npos) name.erase(0, first);
+  /// Lines of names and units may be marked as comments. Whether it was.
+  static bool TakeMark(std::string& field) {
+    if (field.size() < 2 || (field[0] != '#' && field[0] != '%')) return false;
+    const std::size_t first = field.find_first_not_of("#% ");
+    if (first == std::string::npos) return false;
+    field.erase(0, first);
+    return true;
   }
 
   static bool IsComment(std::string name) {
@@ -139,6 +141,8 @@ class CsvParser {
     if (!IsRowGood()) return;
     table_.units_line_ = record_.line;
     std::vector<std::string> fields = record_.fields;
+    // "%" may be a unit.
+    if (names_are_marked_) TakeMark(fields.front());
     for (std::string& field : fields) field = WithoutBrackets(field);
     if (IsRowOfUnits(fields)) {
       table_.units_ = std::move(fields);
@@ -194,6 +198,7 @@ class CsvParser {
   Found text_fault_;
   /// Rows need not have the last field.
   bool ends_with_comment_ = false;
+  bool names_are_marked_ = false;
   bool good_ = true;
 };
 

@@ -179,6 +179,9 @@ inline const Finding kFieldNegative{"field-negative", Severity::kError, "{}: {} 
 inline const Finding kFieldNotEverywhere{"field-not-everywhere", Severity::kError,
                                          "{}: {} is missing, but is there at other frequencies",
                                          "fill it in for all of them or for none"};
+inline const Finding kMeanSdWithoutMean{"mean-sd-without-mean", Severity::kError,
+                                        "channel '{}' of '{}' has a standard deviation of its mean, but no mean",
+                                        "give the mean, or leave its standard deviation out"};
 inline const Finding kAmplitudeMissing{"amplitude-missing", Severity::kError,
                                        "frequency responses without the amplitude of the post",
                                        "state it in the study, as in amplitude: 5 mm"};

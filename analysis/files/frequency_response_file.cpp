@@ -179,6 +179,8 @@ class FrequencyResponseReader {
     Scale(RadiansFromDegrees(1), out.phase_sd_rad);
     out.mean = ReadOptional(channel, "mean", Sign::kAny);
     out.mean_sd = ReadOptional(channel, "mean_sd", Sign::kNotNegative);
+    if (out.mean.empty() && !out.mean_sd.empty())
+      Fault(kMeanSdWithoutMean, channel.rows.front(), {channel.name, table_.file()});
     out.second_harmonic = ReadOptional(channel, "second_harmonic", Sign::kNotNegative);
     ToSi(ReadUnit(channel), out);
     return out;
@@ -196,9 +198,14 @@ class FrequencyResponseReader {
     std::vector<double> values;
     const auto is_blank = [&](std::size_t row) { return IsMissing(Text(row, column)); };
     if (!table_.FindColumn(column) || std::all_of(channel.rows.begin(), channel.rows.end(), is_blank)) return values;
+    // A column of the wrong sign is one fault.
+    bool is_negative = false;
     for (const std::size_t row : channel.rows) {
+      const std::optional<double> number = Number(row, column);
+      const bool has_wrong_sign = number && !HasSign(*number, sign);
       if (is_blank(row)) Fault(kFieldNotEverywhere, row, {PointOf(row), std::string(column)});
-      else values.push_back(ReadNumber(row, column, sign));
+      else if (!has_wrong_sign || !is_negative) values.push_back(ReadNumber(row, column, sign));
+      is_negative = is_negative || has_wrong_sign;
     }
     return values;
   }

@@ -13,9 +13,8 @@ inline const Finding kUnitUnknown{"unit-unknown", Severity::kError, "'{}' is not
                                   "write N/m, kN*s/m, mm and the like"};
 inline const Finding kAmplitudeCount{"amplitude-count", Severity::kError, "there are {} amplitudes for {} frequencies",
                                      "give one for each, or one for all"};
-inline const Finding kMeanSdWithoutMean{"mean-sd-without-mean", Severity::kError,
-                                        "channel '{}' of '{}' has a standard deviation of its mean, but no mean",
-                                        "give the mean, or leave its standard deviation out"};
+inline const Finding kArrayNegative{"array-negative", Severity::kError, "{} holds a negative number",
+                                    "give standard deviations, which are zero or more"};
 inline const Finding kArraysUnequal{"arrays-unequal", Severity::kError, "{} has {} values, but {} are needed",
                                     "give all arrays of a test the same length"};
 inline const Finding kRateNotPositive{"rate-not-positive", Severity::kError, "the sampling rate is {} Hz",

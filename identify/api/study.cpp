@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <sstream>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/text/number.h"
 #include "identify/api/errors.h"
@@ -38,6 +40,12 @@ void RequireCount(const std::string& what, Eigen::Index count, std::size_t wante
     Refuse(kArraysUnequal, {}, {what, std::to_string(count), std::to_string(wanted)});
 }
 
+void RequireDeviations(const std::string& what, std::span<const double> values) {
+  RequireFinite(what, values);
+  if (std::any_of(values.begin(), values.end(), [](double value) { return value < 0; }))
+    Refuse(kArrayNegative, {}, {what});
+}
+
 /// Throws FaultyInput.
 void RequireFiniteIn(const SteppedSineTest& test) {
   const std::string of = " of '" + test.name + "'";
@@ -47,11 +55,11 @@ void RequireFiniteIn(const SteppedSineTest& test) {
     const std::string what = "channel '" + sensor + "'" + of;
     RequireFinite(what, {reinterpret_cast<const double*>(measured.frf.data()),
                          2 * static_cast<std::size_t>(measured.frf.size())});
-    RequireFinite("the standard deviation of the mean of " + what,
-                  {measured.mean_sd.data(), static_cast<std::size_t>(measured.mean_sd.size())});
+    RequireDeviations("the standard deviation of the mean of " + what,
+                      {measured.mean_sd.data(), static_cast<std::size_t>(measured.mean_sd.size())});
     RequireFinite("the mean of " + what, {measured.mean.data(), static_cast<std::size_t>(measured.mean.size())});
     const Eigen::VectorXd& sd = measured.relative_sd_at;
-    RequireFinite("the standard deviation of " + what, {sd.data(), static_cast<std::size_t>(sd.size())});
+    RequireDeviations("the standard deviation of " + what, {sd.data(), static_cast<std::size_t>(sd.size())});
   }
 }
 

@@ -52,6 +52,19 @@ TEST(Csv, MayHaveARowOfUnits) {
   EXPECT_EQ(table.line(0), 3);
 }
 
+// As numpy.savetxt writes headers.
+TEST(Csv, MayHaveMarkedNamesAndUnits) {
+  for (const char* text : {"# time,z\n# s,mm\n0,1\n1,2\n2,3\n", "% time,z\n% s,mm\n0,1\n1,2\n2,3\n",
+                           "#time,z\n#[s],[mm]\n0,1\n1,2\n2,3\n", "# time,z\ns,mm\n0,1\n1,2\n2,3\n"}) {
+    const CsvTable table = ParseGood(text, CsvHeader::kNamesAndUnits);
+    EXPECT_THAT(table.names(), ElementsAre("time", "z")) << text;
+    EXPECT_THAT(table.units(), ElementsAre("s", "mm")) << text;
+    EXPECT_EQ(table.rows(), 3) << text;
+  }
+  // A per cent is a unit.
+  EXPECT_THAT(ParseGood("load,z\n%,mm\n0,1\n", CsvHeader::kNamesAndUnits).units(), ElementsAre("%", "mm"));
+}
+
 TEST(Csv, TakesTheLineBreaksAndTheMarkOfWindows) {
   const CsvTable table = ParseGood(
       "\xEF\xBB\xBF"

@@ -247,6 +247,15 @@ TEST(FrequencyResponseFault, NegativeDeviation) {
   EXPECT_THAT(Faults(Replace(kGood, "1.6,", "-1.6,")), ReportsOnly(kFieldNegative, 6, {"3.2 Hz", "-1.6"}));
 }
 
+TEST(FrequencyResponseFault, DeviationsOfMeansThatSayNothing) {
+  const std::string head = "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,";
+  EXPECT_THAT(Faults(head + "mean_sd\n0.5,0.012,a_cg,1.02,-90,0.1\n3.2,0.012,a_cg,1.02,-90,0.1\n"),
+              ReportsOnly(kMeanSdWithoutMean, 2, {"a_cg"}));
+  // A column of the wrong sign is one fault.
+  EXPECT_THAT(Faults(head + "mean,mean_sd\n0.5,0.012,a_cg,1.02,-90,1,-0.1\n3.2,0.012,a_cg,1.02,-90,1,-0.2\n"),
+              ReportsOnly(kFieldNegative, 2, {"0.5 Hz", "-0.1"}));
+}
+
 TEST(FrequencyResponseFault, NegativeSecondHarmonic) {
   EXPECT_THAT(Faults(Replace(kGood, "6e-6", "-6e-6")), ReportsOnly(kFieldNegative, 5, {"3.2 Hz", "-6e-6"}));
 }
