@@ -14,7 +14,7 @@ struct PostChannel {
 /// Posts that the names of channels say.
 struct NamedPosts {
   std::vector<PostChannel> posts;
-  /// What posts were told to do, beside channels of what they did.
+  /// Commands of posts, beside channels of how these moved.
   std::vector<std::string> commands;
   /// Channels of one post, of which neither is a command.
   std::vector<std::vector<std::string>> alike;

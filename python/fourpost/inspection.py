@@ -238,7 +238,7 @@ def frf(recordings: Path | pd.DataFrame | Sequence[Path], *, posts: Mapping[str,
 
     recordings: a file, several of the same channels, or a frame of N samples over time [s].
     posts: channel of the displacement of each post, by the post's name: {"FL": "LVDT 1"}; default: channels named
-        post_FL, FL and the like.
+        post_FL, FL and the like, or with words that mean a post.
     reference: post that responses are relative to; default: the first that moves most.
     kind: "stepped", "sweep", "random", "multisine"; default: found in the posts' motion.
     low_pass: order and cut-off [Hz] of the Butterworth filter through which all was recorded.
