@@ -183,6 +183,16 @@ std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool 
   return meanings;
 }
 
+bool NameOtherParts(const NameMeaning& one, const NameMeaning& other) {
+  constexpr std::array<const char*, 6> kParts = {"body", "axle", "strut", "tyre", "post", "cg"};
+  const auto has = [](const NameMeaning& meaning) {
+    return [&](const char* part) { return meaning.words.contains(part); };
+  };
+  const auto is_common = [&](const char* part) { return has(one)(part) && has(other)(part); };
+  return std::any_of(kParts.begin(), kParts.end(), has(one)) && std::any_of(kParts.begin(), kParts.end(), has(other)) &&
+         std::none_of(kParts.begin(), kParts.end(), is_common);
+}
+
 double Likeness(const NameMeaning& one, const NameMeaning& other) {
   if (one.front * other.front < 0 || one.left * other.left < 0) return -1;
   std::vector<std::string> common;

@@ -29,6 +29,9 @@ NameMeaning MeaningOf(std::string_view name);
 /// for it may be right) and left.
 std::vector<NameMeaning> MeaningsOf(const std::vector<std::string>& names, bool has_sides);
 
+/// Whether both name parts of a vehicle or rig, such as "post" and "strut", and none in common.
+bool NameOtherParts(const NameMeaning& one, const NameMeaning& other);
+
 /// From 0, nothing in common, to 1, the same; -1 where they are at different places.
 double Likeness(const NameMeaning& one, const NameMeaning& other);
 

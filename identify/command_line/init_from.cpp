@@ -57,6 +57,7 @@ std::string WordsFor(ChannelMatch::By by) {
   switch (by) {
     case ChannelMatch::By::kName: return "name";
     case ChannelMatch::By::kLikeName: return "like name";
+    case ChannelMatch::By::kPlace: return "place";
     case ChannelMatch::By::kKind: return "kind";
     case ChannelMatch::By::kMotion: return "motion";
   }

@@ -80,13 +80,21 @@ double ScoreOf(const Pairing& pairing, bool is_equal) {
   return (is_equal ? 2 : pairing.likeness) + kMotion * std::abs(pairing.correlation.value_or(0));
 }
 
+/// The channel of a wheel pan moves with the post below.
+bool MayBe(const SoughtChannel& sought, const NameMeaning& meaning, const Candidate& candidate) {
+  if (!(sought.dimension == candidate.dimension)) return false;
+  NameMeaning named = candidate.meaning;
+  named.words.erase("tyre");
+  return !sought.is_post || !NameOtherParts(meaning, named);
+}
+
 std::vector<Pairing> PairingsOf(const std::vector<SoughtChannel>& sought, const std::vector<NameMeaning>& meanings,
                                 const std::vector<Candidate>& candidates, const CorrelationOf& correlation) {
   std::vector<Pairing> pairings;
   for (std::size_t s = 0; s < sought.size(); ++s) {
     const NameMeaning& meaning = meanings[s];
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (!(sought[s].dimension == candidates[c].dimension)) continue;
+      if (!MayBe(sought[s], meaning, candidates[c])) continue;
       Pairing pairing{.sought = s, .candidate = c, .likeness = Likeness(meaning, candidates[c].meaning)};
       if (pairing.likeness < 0) continue;
       pairing.correlation = MeanCorrelation(sought[s].name, candidates[c], correlation);
@@ -117,9 +125,10 @@ ChannelMatch MatchOf(const Pairing& pairing, const SoughtChannel& sought, const 
   }
   if (candidate.names.size() > 1 && sought.is_sum) match.source.combine = ChannelSource::Combine::kSum;
   const bool is_equal = candidate.names.size() == 1 && candidate.names.front() == sought.name;
-  match.by = is_equal                    ? ChannelMatch::By::kName
-             : pairing.likeness >= kLike ? ChannelMatch::By::kLikeName
-                                         : ChannelMatch::By::kMotion;
+  match.by = is_equal                                                      ? ChannelMatch::By::kName
+             : pairing.likeness < kLike                                    ? ChannelMatch::By::kMotion
+             : sought.is_post && !candidate.meaning.words.contains("post") ? ChannelMatch::By::kPlace
+                                                                           : ChannelMatch::By::kLikeName;
   return match;
 }
 
@@ -141,7 +150,7 @@ class Kin {
     for (std::size_t s = 0; s < sought_.size(); ++s)
       for (std::size_t c = 0; c < candidates_.size() && !pairs[s]; ++c) {
         const bool is_taken = std::find(pairs.begin(), pairs.end(), c) != pairs.end();
-        if (is_taken || !(sought_[s].dimension == candidates_[c].dimension)) continue;
+        if (is_taken || !MayBe(sought_[s], meanings_[s], candidates_[c])) continue;
         if (!AreAtOnePlace(meanings_[s], candidates_[c].meaning) || !HasKin(s, c, pairs)) continue;
         const Pairing pairing{
             .sought = s, .candidate = c, .correlation = MeanCorrelation(sought_[s].name, candidates_[c], correlation_)};
@@ -171,7 +180,8 @@ class Kin {
 bool ChannelMatch::IsSure() const {
   // A vehicle whose values are not fitted moves about as the real one does.
   const double enough = by == By::kName ? 0.2 : 0.5;
-  return by != By::kMotion && by != By::kKind && rival.empty() && correlation.value_or(1) > enough;
+  const bool is_named = by == By::kName || by == By::kLikeName;
+  return is_named && rival.empty() && correlation.value_or(1) > enough;
 }
 
 std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought,
@@ -211,7 +221,8 @@ std::vector<SoughtChannel> SoughtSensors(const Vehicle& vehicle) {
 
 std::vector<SoughtChannel> SoughtPosts(const Vehicle& vehicle) {
   std::vector<SoughtChannel> sought;
-  for (const Post& post : vehicle.posts) sought.push_back({"post_" + post.name, kLength});
+  for (const Post& post : vehicle.posts)
+    sought.push_back({.name = "post_" + post.name, .dimension = kLength, .is_post = true});
   return sought;
 }
 

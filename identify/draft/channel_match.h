@@ -19,8 +19,9 @@ struct OfferedChannel {
 
 /// What a sensor, a post or a tyre of the vehicle is measured by.
 struct ChannelMatch {
-  /// By its kind: named like another whose place alone differs, which was matched to such a one.
-  enum class By { kName, kLikeName, kKind, kMotion };
+  /// By its kind: named like another whose place alone differs, which was matched to such a one. By its place: of a
+  /// post, a displacement whose name says no more.
+  enum class By { kName, kLikeName, kPlace, kKind, kMotion };
 
   std::string name;
   ChannelSource source;
@@ -40,6 +41,9 @@ struct SoughtChannel {
   Dimension dimension;
   /// Several channels are added up, as loads of two tyres; else their mean is taken.
   bool is_sum = false;
+  /// A channel whose name means another part of the vehicle is none of a post, wherever it is. Nothing else tells them
+  /// apart: posts have no responses to compare.
+  bool is_post = false;
 };
 
 /// Of a sought channel and an offered one; nothing where it is not known.

@@ -70,6 +70,7 @@ std::string DoubtOf(const ChannelMatch& match) {
   std::string doubt;
   const auto add = [&](const std::string& text) { doubt += (doubt.empty() ? "" : "; ") + text; };
   if (match.by == ChannelMatch::By::kMotion) add("by its motion alone");
+  if (match.by == ChannelMatch::By::kPlace) add("by its place alone, for its name does not say post");
   if (match.by == ChannelMatch::By::kKind) add("as the last channel of its kind that was left");
   const bool is_named = match.by == ChannelMatch::By::kName || match.by == ChannelMatch::By::kLikeName;
   if (match.source.channels.front().factor < 0) add("moves against the vehicle, so its sign is turned");

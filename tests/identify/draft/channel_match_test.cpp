@@ -111,6 +111,32 @@ TEST(ChannelMatch, TakesWhatIsLeftOfAKindThatMotionFound) {
   EXPECT_EQ(matches.back().by, ChannelMatch::By::kKind);
 }
 
+std::vector<ChannelMatch> PostsOf(const std::vector<OfferedChannel>& offered) {
+  std::vector<SoughtChannel> posts;
+  for (const char* corner : {"FL", "FR", "RL", "RR"})
+    posts.push_back({.name = std::string("post_") + corner, .dimension = kLength, .is_post = true});
+  return MatchChannels(posts, offered, true);
+}
+
+TEST(ChannelMatch, WhatMeansAnotherPartIsNoPost) {
+  for (const char* other : {"Pot_Susp_RR", "Wheel disp RR", "z_body_RR", "Tyre deflection RR"}) {
+    const std::vector<ChannelMatch> matches =
+        PostsOf({{"Ram_FL", kLength}, {"Ram_FR", kLength}, {"Ram_RL", kLength}, {other, kLength}});
+    EXPECT_EQ(matches.size(), 3U) << other;
+    EXPECT_EQ(Matched(matches, "post_RR"), "none") << other;
+  }
+  // One that says post as well is one, and so is what is named as the vehicle names it.
+  EXPECT_EQ(Matched(PostsOf({{"Wheel_Actuator_RR", kLength}}), "post_RR"), "Wheel_Actuator_RR");
+  const std::vector<SoughtChannel> by_wheel = {{.name = "post_wheel_RR", .dimension = kLength, .is_post = true}};
+  EXPECT_EQ(Matched(MatchChannels(by_wheel, {{"Wheel_RR", kLength}}, true), "post_wheel_RR"), "Wheel_RR ?");
+}
+
+TEST(ChannelMatch, APostByItsPlaceAloneIsToBeLookedAt) {
+  EXPECT_EQ(Matched(PostsOf({{"disp RR", kLength}}), "post_RR"), "disp RR ?");
+  EXPECT_EQ(Matched(PostsOf({{"wheelpan RR", kLength}}), "post_RR"), "wheelpan RR ?");
+  EXPECT_EQ(Matched(PostsOf({{"Ram RR", kLength}}), "post_RR"), "Ram RR");
+}
+
 TEST(ChannelMatch, NamesARivalThatFitsAsWell) {
   const std::vector<OfferedChannel> offered = {{"tyre front 1", kForce}, {"tyre front 2", kForce}};
   const std::vector<ChannelMatch> matches = MatchChannels(kSought, offered, true);
