@@ -49,7 +49,14 @@ bool HasName(const Diagnostic& item) {
   return std::find(names.begin(), names.end(), true) != names.end();
 }
 
-/// Of one of a group: "'b' of 'run2' (words that differ from those of the first, line 4)".
+/// A word that continues a sentence, ", did you mean 'a'?", on its own.
+std::string AsItself(std::string_view word) {
+  const std::size_t begin = word.find_first_not_of(",;: ");
+  return std::string(begin == std::string_view::npos ? std::string_view() : word.substr(begin));
+}
+
+/// Of one of a group: "'b' of 'run2' (words that differ from those of the first, line 4)"; without a name that differs
+/// the words alone.
 std::string LikewiseText(const Diagnostic& item, const Diagnostic& first, const std::vector<bool>& differ) {
   const std::vector<bool> names = AreNames(item);
   std::string name;
@@ -57,11 +64,13 @@ std::string LikewiseText(const Diagnostic& item, const Diagnostic& first, const 
   for (std::size_t i = 0; i < std::min(item.words.size(), differ.size()); ++i) {
     if (!differ[i]) continue;
     if (names[i]) name += (name.empty() ? "'" : " of '") + item.words[i] + "'";
-    else if (item.words[i] != first.words[i]) others += (others.empty() ? "" : ", ") + item.words[i];
+    else if (const std::string word = AsItself(item.words[i]); item.words[i] != first.words[i] && !word.empty())
+      others += (others.empty() ? "" : ", ") + word;
   }
   if (item.place.line != first.place.line && item.place.line > 0)
     others += (others.empty() ? "line " : ", line ") + std::to_string(item.place.line);
-  return name + (others.empty() ? "" : " (" + others + ")");
+  if (name.empty() || others.empty()) return name + others;
+  return name + " (" + others + ")";
 }
 
 /// The first in full; of the others what they are of. Repeated ones go.

@@ -92,6 +92,21 @@ TEST(Diagnostics, OfOneCauseButAnotherRemedyStandAlone) {
             "a.yaml: warning: 'y' of 'run' is like 'x'; likewise 'z' [test-swapped]");
 }
 
+const Finding kUnheard{"test-unheard", Severity::kWarning, "there is no '{}'{}"};
+const Finding kShort{"test-short", Severity::kWarning, "{} of '{}' ends at {}"};
+
+TEST(Diagnostics, OfOneCauseHaveNoHoles) {
+  Diagnostics diagnostics;
+  diagnostics.Report(kUnheard, {"a.yaml"}, {"x", ""});
+  diagnostics.Report(kUnheard, {"a.yaml"}, {"leafs", ", did you mean 'leaf'?"});
+  diagnostics.Report(kUnheard, {"a.yaml"}, {"z", ""});
+  diagnostics.Report(kShort, {"b.yaml"}, {"heave", "rear", "3 mm"});
+  diagnostics.Report(kShort, {"b.yaml"}, {"roll", "rear", "4 mm"});
+  EXPECT_EQ(diagnostics.Format(),
+            "a.yaml: warning: there is no 'x'; likewise 'leafs' (did you mean 'leaf'?) and 'z' [test-unheard]\n"
+            "b.yaml: warning: heave of 'rear' ends at 3 mm; likewise roll, 4 mm [test-short]");
+}
+
 TEST(Diagnostics, OfManyChannelsAreCounted) {
   Diagnostics diagnostics;
   for (int i = 0; i < 40; ++i) diagnostics.Report(kLost, {"a.csv", 1}, {"x" + std::to_string(i)});
