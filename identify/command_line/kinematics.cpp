@@ -24,13 +24,14 @@ namespace {
 
 std::string InMm(double metres) { return FormatNumber(std::round(metres * 1e5) + 0.0, -2) + " mm"; }
 
-void WarnOfDeadCentres(const Vehicle& vehicle, const Suspension& suspension, const std::vector<AxleKinematics>& axles,
-                       Diagnostics& findings) {
+/// A rigid linkage ends at a dead centre; one that yields also where its springs, bushes and stops hold it no more.
+void WarnOfShortTravels(SuspensionRig& rig, const std::vector<AxleKinematics>& axles, Diagnostics& findings) {
+  const bool is_rigid = rig.IsRigid(rig.Design());
   for (const AxleKinematics& kinematics : axles)
     for (const AxleTravel& travel : kinematics.travels)
       if (travel.reached_lower != travel.lower || travel.reached_upper != travel.upper)
-        findings.Report(kTravelNotReached, {vehicle.file},
-                        {travel.name, suspension.axles[kinematics.axle].name, InMm(travel.reached_lower),
+        findings.Report(is_rigid ? kTravelNotReached : kTravelNotHeld, {rig.vehicle().file},
+                        {travel.name, rig.suspension().axles[kinematics.axle].name, InMm(travel.reached_lower),
                          InMm(travel.reached_upper), InMm(travel.lower), InMm(travel.upper)});
 }
 
@@ -72,7 +73,7 @@ int Run(const KinematicsCommand& command) {
   SuspensionRig rig(vehicle, values);
   const std::vector<AxleKinematics> axles = KinematicsOf(rig, values, range);
   if (axles.empty()) Refuse(kWheelsDoNotTravel, {vehicle.file});
-  WarnOfDeadCentres(vehicle, rig.suspension(), axles, findings);
+  WarnOfShortTravels(rig, axles, findings);
   Tell(findings);
   const std::string json = KinematicsJson(vehicle, rig.suspension(), axles, findings);
   if (!command.output.empty()) Write(command.output, json, rig, axles, findings);

@@ -112,9 +112,9 @@ class AxleText {
         heave);
     if (const AxleTravel* const roll = Roll()) {
       const AxleStation& station = roll->Design();
-      // Of a symmetric axle the left wheel's.
+      // Opposite on the right; both wheels steer alike.
       add(
-          "roll camber to the body", "deg/deg", 3,
+          is_symmetric_ ? "roll camber to the body, left wheel" : "roll camber to the body", "deg/deg", 3,
           [](const AxleStation& s, std::size_t k) { return s.wheels[k].rate.camber / s.roll_rate; }, station);
       add(
           "roll steer", "deg/deg", 4,
@@ -260,9 +260,9 @@ class AxleText {
 constexpr const char* kNote =
     "Chassis held in the design pose, other axles' wheels at their height there; travel: rise of the wheel\n"
     "centres. The wheel's axis is the y axis of its tyre's link. Camber: top outward positive. Roll: the right\n"
-    "wheel rises as the left one falls, body to the right; roll camber is that of the left wheel. Steer: to the\n"
-    "left positive. Motion ratio: shortening per travel; of an anti-roll bar difference of its lines per travel.\n"
-    "Roll centre: above the feet. ";
+    "wheel rises as the left one falls, body to the right; roll camber has the other sign on the right wheel of\n"
+    "a symmetric axle. Steer: to the left positive. Motion ratio: shortening per travel; of an anti-roll bar\n"
+    "difference of its lines per travel. Roll centre: above the feet. ";
 constexpr const char* kLoadNote =
     "Loads: lateral to the left and braking at the\nfoot, driving at the wheel centre, aligning torque to the left; "
     "pads "

@@ -1,5 +1,6 @@
 #include "identify/report/kinematics_page.h"
 
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -139,6 +140,10 @@ class AxlePart {
     add("bump toe-in", "deg/m", heave, [](const WheelStation& wheel) { return kDeg * wheel.rate.toe; });
     add("wheel centre forward in bump", "mm/m", heave,
         [](const WheelStation& wheel) { return kMm * wheel.rate.centre.x(); });
+    rows.push_back({TextCell("foot outward in bump"), TextCell(ShownUnit("mm/m"))});
+    for (std::size_t k = 0; k < wheels_.size(); ++k)
+      rows.back().push_back(NumberCell(
+          ShownNumber(WithoutRounding(kMm * heave.wheels[k].rate.foot.y() * (wheels_[k]->side < 0 ? -1 : 1)), 4)));
     for (const AxleTravel& travel : kinematics_.travels) {
       if (travel.kind != AxleTravel::Kind::kRoll) continue;
       const AxleStation& roll = travel.Design();
@@ -146,7 +151,22 @@ class AxlePart {
           [&](const WheelStation& wheel) { return wheel.rate.camber / roll.roll_rate; });
       add("roll steer", "deg/deg", roll, [&](const WheelStation& wheel) { return wheel.rate.steer / roll.roll_rate; });
     }
-    return html::Table(head, rows);
+    return html::Table(head, rows) + AxleLineHtml(heave);
+  }
+
+  /// What is of the axle, not of a wheel.
+  static std::string AxleLineHtml(const AxleStation& heave) {
+    std::string text;
+    const auto add = [&](const char* name, const std::optional<double>& metres) {
+      if (metres)
+        text += (text.empty() ? "" : ", ") + std::string(name) + ' ' + ShownDecimals(kMm * *metres, 1) + " mm";
+    };
+    add("track", heave.track);
+    add("wheelbase", heave.wheelbase);
+    add("roll centre height", heave.roll_centre);
+    if (text.empty()) return "";
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return html::Element("p", "note", html::Escaped(text + ", in the design pose.")) + '\n';
   }
 
   std::string ComplianceHtml() const {
@@ -177,7 +197,8 @@ class AxlePart {
 
 constexpr const char* kNote =
     "<p class=\"note\">Chassis held in the design pose, other axles' wheels at their height there; travel: rise of the "
-    "wheel centres. Camber: top outward positive. Steer: to the left positive. Motion ratio: shortening per travel; of "
+    "wheel centres. Camber: top outward positive, so that of roll has the other sign on the right wheel. Steer: to the "
+    "left positive. Motion ratio: shortening per travel; of "
     "an anti-roll bar the difference of its lines per travel. Loads: lateral to the left and braking at the foot, "
     "driving at the wheel centre, aligning torque to the left.</p>\n";
 

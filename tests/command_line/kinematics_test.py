@@ -1,6 +1,7 @@
 """Kinematics and compliance as a user sees them: tables, files, and what is said of vehicles without travel."""
 import csv
 import json
+import re
 import unittest
 import xml.etree.ElementTree
 
@@ -24,7 +25,14 @@ class Kinematics(ProgramTest):
         self.assertAlmostEqual(float(heave[-1]["track_mm"]), 1000 * track, places=9)
         for name in ("axle_1.svg", "axle_2.svg"):
             xml.etree.ElementTree.parse(self.folder / "kc" / name)
-        self.assertTrue((self.folder / "kc/report.html").read_text().startswith("<!doctype html>"))
+        page = (self.folder / "kc/report.html").read_text()
+        self.assertTrue(page.startswith("<!doctype html>"))
+        # What is printed stands on the page as well.
+        self.assertIn("foot outward in bump", page)
+        for name in ("Track", "roll centre height"):
+            value = re.search(f"{name} ([0-9.]+) mm", text, re.IGNORECASE)[1]
+            self.assertIn(f"{name} {value}", page.replace("\u00a0", " "))
+        self.assertIn("roll camber to the body, left wheel", text)
         self.assertEqual((self.folder / "kc/compliance.csv").read_text().count("\n"), 1)
 
     def test_marks_rows_beyond_stops(self):
@@ -63,6 +71,15 @@ class Kinematics(ProgramTest):
     def test_reports_a_dead_centre(self):
         run = self.run_program("kinematics", ROADSTER, "--travel", "400mm", "--step", "100mm")
         self.assert_finding(run.stderr, "travel-not-reached")
+
+    def test_goes_on_where_a_stop_is_met(self):
+        """The stop on the damper's line turns a softly held axle: the path has a kink there, and goes on."""
+        self.run_program("init", "van", "--suspension", "front=macpherson,rear=leaf_spring")
+        run = self.run_program("kinematics", "van/vehicle.urdf", "--set", "kr_rear_windup=1.6kN*m/rad", "--travel",
+                               "-90mm:80mm", "--json")
+        for axle in json.loads(run.stdout)["axles"]:
+            for travel in axle["travels"]:
+                self.assertEqual(travel["reached_m"], travel["asked_m"], (axle["name"], travel["name"]))
 
     def test_refuses_what_has_no_travel(self):
         text = ROADSTER.read_text()

@@ -12,9 +12,13 @@ inline const Finding kWheelsDoNotTravel{"wheels-do-not-travel", Severity::kError
                                         "give the wheels' links joints of their own; see the tree in `fourpost check`"};
 inline const Finding kTravelNotReached{
     "travel-not-reached", Severity::kWarning,
-    "{} of axle '{}' goes from {} to {}, not from {} to {}; the linkage is at a dead "
-    "centre there",
+    "'{}' of axle '{}' goes from {} to {}, not from {} to {}; the linkage is at a dead centre there",
     "correct its points if the car travels further, else ask for less"};
+inline const Finding kTravelNotHeld{
+    "travel-not-held", Severity::kWarning,
+    "'{}' of axle '{}' goes from {} to {}, not from {} to {}; beyond there springs, bushings and stops hold no pose at "
+    "rest",
+    "check their rates and the points of the linkage if the car travels further, else ask for less"};
 
 inline const Finding kDoesNotSettle{"does-not-settle", Severity::kError, "found no pose at rest",
                                     "run `fourpost check`, which names motions that nothing holds, and check preloads, "

@@ -25,6 +25,20 @@ Vehicle WithoutTyreRates(Vehicle vehicle) {
   return vehicle;
 }
 
+/// Whether a path that starts and ends along these tangents goes by `change`. Where a law has a kink, the path goes a
+/// part of the way along each; where the solution has jumped past a dead centre, neither explains it, however short the
+/// step.
+bool LeadsTo(const Eigen::VectorXd& change, const Eigen::VectorXd& at_start, const Eigen::VectorXd& at_end) {
+  // A path bends by this share of a step; one that bends more is about to turn back.
+  constexpr double kBend = 0.25;
+  constexpr double kNothing = 1e-9;
+  const Eigen::VectorXd turn = at_end - at_start;
+  const double length = turn.squaredNorm();
+  const double part = length > 0 ? std::clamp((change - at_start).dot(turn) / length, 0.0, 1.0) : 0;
+  const double off = (change - at_start - part * turn).lpNorm<Eigen::Infinity>();
+  return off <= kBend * at_start.lpNorm<Eigen::Infinity>() + kNothing;
+}
+
 Preloads WithoutTyres(Preloads preloads) {
   std::fill(preloads.tyre.begin(), preloads.tyre.end(), 0);
   return preloads;
@@ -111,31 +125,29 @@ std::optional<Eigen::VectorXd> SuspensionRig::Tangent(const Pose& pose, const Ei
   return Eigen::VectorXd(motion->col(0));
 }
 
-std::optional<RestSolver::Rest> SuspensionRig::Follow(const Pose& from, const Eigen::VectorXd& change,
-                                                      const Eigen::VectorXd& rise) {
-  // A path bends by this share of a step; one that bends more is about to turn back.
-  constexpr double kBend = 0.25;
-  constexpr double kNothing = 1e-9;
-  const RestSolver::Rest ahead{from.rest.q + change, from.rest.forces};
-  std::optional<RestSolver::Rest> rest = solver_.Solve(ahead, GuideTo(rise));
+std::optional<SuspensionRig::Pose> SuspensionRig::Follow(const Pose& from, double step, const Eigen::VectorXd& way,
+                                                         const Eigen::VectorXd& rise, Eigen::VectorXd& tangent) {
+  const std::optional<RestSolver::Rest> rest =
+      solver_.Solve({from.rest.q + step * tangent, from.rest.forces}, GuideTo(rise));
   if (!rest) return std::nullopt;
-  const double bend = (rest->q - ahead.q).lpNorm<Eigen::Infinity>();
-  if (bend > kBend * change.lpNorm<Eigen::Infinity>() + kNothing) return std::nullopt;
-  return rest;
+  Pose pose{*rest, rise};
+  const std::optional<Eigen::VectorXd> there = Tangent(pose, way);
+  if (!there || !LeadsTo(rest->q - from.rest.q, step * tangent, step * *there)) return std::nullopt;
+  tangent = *there;
+  return pose;
 }
 
 SuspensionRig::Pose SuspensionRig::Move(const Pose& from, const Eigen::VectorXd& rise) {
   constexpr double kShortest_m = 1e-5;
   Pose pose = from;
   const Eigen::VectorXd way = rise - from.rise;
+  std::optional<Eigen::VectorXd> tangent = Tangent(pose, way);
   double step = 1;
-  for (double done = 0; done < 1;) {
-    const std::optional<Eigen::VectorXd> tangent = Tangent(pose, way);
-    if (!tangent) return pose;
+  for (double done = 0; done < 1 && tangent;) {
     step = std::min(step, 1 - done);
     const Eigen::VectorXd next = done + step >= 1 ? rise : Eigen::VectorXd(from.rise + (done + step) * way);
-    if (const std::optional<RestSolver::Rest> rest = Follow(pose, step * *tangent, next)) {
-      pose = {*rest, next};
+    if (std::optional<Pose> followed = Follow(pose, step, way, next, *tangent)) {
+      pose = *std::move(followed);
       done += step;
       step *= 2;
     } else {

@@ -37,7 +37,7 @@ class SuspensionRig {
   Pose Design();
 
   /// To other rises, on the straight way there; the last pose that is reached, within 0.01 mm, where the wheels cannot
-  /// go on, as at a dead centre.
+  /// go on, as at a dead centre. Laws may have kinks on the way, such as where a stop is met.
   Pose Move(const Pose& from, const Eigen::VectorXd& rise);
 
   /// The geometry of a pose, in the joint coordinates.
@@ -56,8 +56,10 @@ class SuspensionRig {
  private:
   Eigen::Index wheels() const { return static_cast<Eigen::Index>(suspension_.wheels.size()); }
   RestSolver::Guides GuidesAt(const Kinematics& pose, const Eigen::VectorXd& rise) const;
-  /// The pose after a change of the joint coordinates that its tangent gives; empty if it is none, or far from there.
-  std::optional<RestSolver::Rest> Follow(const Pose& from, const Eigen::VectorXd& change, const Eigen::VectorXd& rise);
+  /// The pose after a step along `tangent`, the change of the joint coordinates per `way`, which becomes the tangent
+  /// there; empty if it is none, or if the path does not lead there.
+  std::optional<Pose> Follow(const Pose& from, double step, const Eigen::VectorXd& way, const Eigen::VectorXd& rise,
+                             Eigen::VectorXd& tangent);
   RestSolver::Guide GuideTo(const Eigen::VectorXd& rise) const;
 
   Vehicle vehicle_;
