@@ -47,9 +47,15 @@ inline const Finding kImplausibleUnexplained{
     "implausible-unexplained", Severity::kWarning,
     "implausible values were accepted, and residuals are {} times what noise and the stated model error explain",
     "correct what the check of the recordings names, and fit without --accept-implausible"};
-inline const Finding kParametersAtBounds{"parameters-at-bounds", Severity::kWarning,
-                                         "{} of {} parameters are at their bounds",
-                                         "widen bounds that are guesses, or add the missing mechanism"};
+inline const Finding kParametersAtBounds{
+    "parameters-at-bounds", Severity::kWarning,
+    "{} of {} parameters are at their bounds, and residuals are {} times what noise and the stated model error explain",
+    "widen bounds that are guesses, or add the missing mechanism"};
+inline const Finding kMostChannelsPoor{
+    "most-channels-poor", Severity::kWarning,
+    "{} of {} fitted channels have an NMSE above {} %, and residuals are {} times what noise and the stated model error "
+    "explain",
+    "check sign, scale, delay and position, then extend the model (`fourpost suggest`)"};
 
 // How far its numbers can be trusted.
 

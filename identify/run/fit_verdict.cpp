@@ -8,6 +8,7 @@
 
 #include "analysis/text/short_number.h"
 #include "identify/run/findings.h"
+#include "identify/run/fit_text.h"
 #include "identify/uncertainty/findings.h"
 #include "identify/uncertainty/other_optima.h"
 
@@ -18,6 +19,11 @@ namespace {
 constexpr double kLoudOverFrequency = 0.1;
 /// What an accelerometer takes of a motion across its axis is less.
 constexpr double kLoudOverTime = 0.02;
+
+/// Normalised mean square errors below which model and measurement look alike, and above which they do not, as reports
+/// judge histories.
+constexpr double kFollowedShare = 0.05;
+constexpr double kPoorShare = 0.2;
 
 /// Squares of errors over squares measured, of one channel or of one recording in one unit.
 struct Group {
@@ -40,24 +46,52 @@ void AddTo(std::vector<Group>& groups, const std::vector<std::string>& words, co
   found->measured += share.measured;
 }
 
-/// Of the groups that are loud enough, those for which a constant would do better.
-void AddPoor(const std::vector<Group>& groups, const Finding& kind, Diagnostics& reasons) {
+/// Groups that are loud enough to judge, by their places.
+std::vector<const Group*> Loud(const std::vector<Group>& groups) {
   std::map<std::string, double> loudest;
   for (const Group& group : groups) loudest[group.kind] = std::max(loudest[group.kind], group.measured);
-  for (const Group& group : groups) {
-    const bool is_loud = group.measured > 0 && group.measured >= group.loud * group.loud * loudest[group.kind];
-    if (!is_loud || group.error <= group.measured) continue;
-    std::vector<std::string> words = group.words;
-    words.push_back(ShortNumber(100 * group.error / group.measured, 3));
+  std::vector<const Group*> loud;
+  for (const Group& group : groups)
+    if (group.measured > 0 && group.measured >= group.loud * group.loud * loudest[group.kind]) loud.push_back(&group);
+  return loud;
+}
+
+/// For which a constant would do better.
+void AddUnexplained(const std::vector<Group>& groups, const Finding& kind, Diagnostics& reasons) {
+  for (const Group* const group : Loud(groups)) {
+    if (group->error <= group->measured) continue;
+    std::vector<std::string> words = group->words;
+    words.push_back(ShortNumber(100 * group->error / group->measured, 3));
     reasons.Report(kind, {}, words);
   }
 }
 
-void AddBounds(const FitResult& fit, Diagnostics& reasons) {
+/// Channels whose error is above this share of what was measured.
+std::ptrdiff_t CountAbove(double share, const std::vector<const Group*>& channels) {
+  return std::count_if(channels.begin(), channels.end(),
+                       [&](const Group* channel) { return channel->error > share * channel->measured; });
+}
+
+void AddPoor(const FitResult& fit, const std::vector<const Group*>& channels, Diagnostics& reasons) {
+  const std::ptrdiff_t poor = CountAbove(kPoorShare, channels);
+  if (2 * poor <= std::ssize(channels) || !(fit.Misfit() > kLargeMisfit)) return;
+  reasons.Report(kMostChannelsPoor, {},
+                 {std::to_string(poor), std::to_string(channels.size()), ShortNumber(100 * kPoorShare, 2),
+                  ShortNumber(fit.Misfit(), 2)});
+}
+
+/// A few parameters at their bounds are usual, such as friction where there is none, and so are many where the channels
+/// are followed all the same.
+void AddBounds(const FitResult& fit, const std::vector<const Group*>& channels, Diagnostics& reasons) {
   const auto at_bound = std::count_if(fit.parameters.begin(), fit.parameters.end(),
                                       [](const FittedParameter& parameter) { return parameter.at_bound; });
-  if (2 * at_bound <= std::ssize(fit.parameters) || fit.Misfit() <= kLargeMisfit) return;
-  reasons.Report(kParametersAtBounds, {}, {std::to_string(at_bound), std::to_string(fit.parameters.size())});
+  const auto count = std::ssize(fit.parameters);
+  const bool are_most = 2 * at_bound > count && fit.Misfit() > kLargeMisfit;
+  const bool are_many = 4 * at_bound > count && fit.Misfit() > kFarMisfit &&
+                        2 * CountAbove(kFollowedShare, channels) > std::ssize(channels);
+  if (are_most || are_many)
+    reasons.Report(kParametersAtBounds, {},
+                   {std::to_string(at_bound), std::to_string(count), ShortNumber(fit.Misfit(), 2)});
 }
 
 /// Parameters and directions without standard deviation.
@@ -134,9 +168,10 @@ FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares,
     AddTo(recordings, {share.recording, share.unit}, share);
   }
   FitVerdict verdict{.reasons = {}, .accepted = accepted};
-  AddPoor(channels, kChannelUnexplained, verdict.reasons);
-  AddPoor(recordings, kRecordingUnexplained, verdict.reasons);
-  AddBounds(fit, verdict.reasons);
+  AddUnexplained(channels, kChannelUnexplained, verdict.reasons);
+  AddUnexplained(recordings, kRecordingUnexplained, verdict.reasons);
+  AddPoor(fit, Loud(channels), verdict.reasons);
+  AddBounds(fit, Loud(channels), verdict.reasons);
   if (!accepted.items().empty() && fit.Misfit() > kLargeMisfit)
     verdict.reasons.Report(kImplausibleUnexplained, {}, {ShortNumber(fit.Misfit(), 2)});
   return verdict;

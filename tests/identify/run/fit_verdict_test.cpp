@@ -139,6 +139,38 @@ TEST(FitVerdict, MostParametersAtBoundsExplainNothingWhereResidualsAreLarge) {
   EXPECT_TRUE(JudgeFit(Bounded(1, 1, 1), {}).explains());
 }
 
+/// `poor` of `channels` with an NMSE of this many per cent, the others followed.
+std::vector<ErrorShare> Channels(int poor, int channels, double nmse_percent) {
+  std::vector<ErrorShare> shares;
+  for (int i = 0; i < channels; ++i)
+    shares.push_back(Share("a_" + std::to_string(i), "bounce", 1, i < poor ? nmse_percent : 1));
+  return shares;
+}
+
+TEST(FitVerdict, AQuarterAtBoundsExplainsNothingWhereResidualsAreFarTooLargeAndChannelsAreMissed) {
+  EXPECT_THAT(JudgeFit(Bounded(7, 18, 4.3), Channels(10, 16, 12)).reasons,
+              Reports(kParametersAtBounds, 0, {"7 of 18", "4.3"}));
+  EXPECT_FALSE(JudgeFit(Bounded(3, 11, 3.01), Channels(9, 16, 5.1)).explains());
+  // A quarter, a misfit that is not far above, half of the channels, and errors that do not show.
+  EXPECT_TRUE(JudgeFit(Bounded(3, 12, 3.01), Channels(9, 16, 5.1)).explains());
+  EXPECT_TRUE(JudgeFit(Bounded(3, 11, 2.99), Channels(9, 16, 5.1)).explains());
+  EXPECT_TRUE(JudgeFit(Bounded(3, 11, 3.01), Channels(8, 16, 5.1)).explains());
+  EXPECT_TRUE(JudgeFit(Bounded(3, 11, 3.01), Channels(9, 16, 4.9)).explains());
+  // Recordings without noise.
+  EXPECT_TRUE(JudgeFit(Bounded(3, 11, 50), Channels(0, 16, 0)).explains());
+}
+
+TEST(FitVerdict, MostChannelsPoorExplainNothingWhereResidualsAreLarge) {
+  EXPECT_THAT(JudgeFit(Bounded(0, 5, 1.6), Channels(9, 16, 20.1)).reasons,
+              Reports(kMostChannelsPoor, 0, {"9 of 16", "20 %", "1.6"}));
+  EXPECT_TRUE(JudgeFit(Bounded(0, 5, 1.6), Channels(8, 16, 20.1)).explains());
+  EXPECT_TRUE(JudgeFit(Bounded(0, 5, 1.6), Channels(9, 16, 19.9)).explains());
+  // Noise, or a model error that the study states, explains it.
+  EXPECT_TRUE(JudgeFit(Bounded(0, 5, 1.4), Channels(16, 16, 60)).explains());
+  // Without noise nothing says how large it may be.
+  EXPECT_TRUE(JudgeFit({}, Channels(16, 16, 60)).explains());
+}
+
 TEST(Conclusions, AreNoneOfAFitThatConvergedAndDeterminesAll) {
   FitResult fit = Bounded(0, 3, 1);
   fit.end = FitEnd::kConverged;

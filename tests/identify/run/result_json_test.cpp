@@ -44,13 +44,13 @@ TEST(ResultJson, SaysWhyAParameterHasNoDeviation) {
 
 TEST(ResultJson, HasTheVerdictAndWhatWasLeftOutOfTheValidation) {
   FitFindings found;
-  found.verdict.reasons.Report(kParametersAtBounds, {}, {"3", "5"});
+  found.verdict.reasons.Report(kParametersAtBounds, {}, {"3", "5", "2"});
   found.conclusions.Report(kEndedWithoutDeviations, {});
   const Json result =
       Json::parse(ResultJson({}, 1, {}, {{"validation_left_out", {LeftOutJson({"fast", {}, "is clipped"})}}}, found));
   EXPECT_EQ(result["verdict"]["explains_data"], false);
   EXPECT_EQ(result["verdict"]["reasons"],
-            Json::array({{{"id", "parameters-at-bounds"}, {"text", kParametersAtBounds.Message({"3", "5"})}}}));
+            Json::array({{{"id", "parameters-at-bounds"}, {"text", kParametersAtBounds.Message({"3", "5", "2"})}}}));
   EXPECT_EQ(result["conclusions"],
             Json::array({{{"id", "ended-without-deviations"}, {"text", kEndedWithoutDeviations.Message({})}}}));
   EXPECT_EQ(result["validation_left_out"], Json::array({{{"recording", "fast"}, {"reason", "is clipped"}}}));
