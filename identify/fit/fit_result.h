@@ -39,7 +39,7 @@ struct FittedParameter {
   double upper = 0;
   ParameterState state = ParameterState::kNotComputed;
   /// Standard deviation, while parameters at a bound and those of noise stay where they are; infinite when nothing
-  /// determines the parameter, NaN in all other states.
+  /// determines the parameter; NaN of those at a bound and of noise.
   double sd = 0;
   /// Its parts, whose squares add up: of noise; of parameters that are held though they have ranges; of what the model
   /// lacks, see EstimateModelError().
@@ -48,15 +48,19 @@ struct FittedParameter {
   double model_sd = 0;
   /// See Certainty::LimitedBy().
   std::string limited_by;
-  /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables): beyond the
-  /// parameter's bounds where the data are, but not beyond what is physical, see PhysicalRanges(). Infinite and NaN
-  /// like `sd`.
+  /// Interval of the certainty's confidence, about the logarithm of the value where the fit is of that (see
+  /// FitVariables). Beyond a bound of the parameter it reaches by noise alone, never beyond what is physical, see
+  /// PhysicalRanges(); what held parameters and the model's errors would add there is cut at the bound. Infinite and
+  /// NaN like `sd`.
   double lower_95 = 0;
   double upper_95 = 0;
   bool at_bound = false;
   Dimension dimension;
   /// As the vehicle file writes it.
   std::string unit;
+
+  double RelativeSd() const { return fourpost::RelativeSd(sd, value, lower, upper); }
+  std::string_view CutAt() const { return IntervalCutAt(lower_95, upper_95, lower, upper); }
 
   /// "lower" or "upper", of one at its bound.
   std::string_view BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }

@@ -51,7 +51,7 @@ std::string Determined(const ReportedParameter& parameter) {
   if (parameter.state == ParameterState::kNoise) return "derivative is noise";
   if (parameter.state == ParameterState::kAtBound) return "held by its " + parameter.BoundName() + " bound";
   if (std::isnan(parameter.sd)) return "";
-  if (std::isinf(parameter.sd)) return "not determined";
+  if (std::isinf(parameter.sd) || parameter.state == ParameterState::kUndetermined) return "not determined";
   if (parameter.at_bound) return "held by its bound";
   const double sd = parameter.RelativeSd();
   return sd <= 0.02 ? "well determined" : sd <= 0.1 ? "determined" : "weakly determined";
@@ -68,6 +68,7 @@ Cell RemarkCell(const ReportedParameter& parameter) {
     remark += std::string(", interval reaches beyond ") + (below && above ? "both bounds"
                                                            : below        ? "the lower bound"
                                                                           : "the upper bound");
+  if (!parameter.CutAt().empty()) remark += ", interval cut at " + std::string(parameter.CutAt());
   if (!parameter.limited_by.empty() && std::isfinite(parameter.sd))
     remark += (remark.empty() ? "" : ", ") + ("limited by " + parameter.limited_by);
   constexpr double kHeldCounts = 1.5;
@@ -229,7 +230,7 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
                  ? "Bar: " +
                        std::string(lacks ? "interval that holds the truth in 80 to 90 % of cases"
                                          : "interval of 95 %") +
-                       ", with an arrow where it reaches beyond a bound; dot: fitted value; tick: start. \"sd, %\": of "
+                       ", with an arrow where it reaches beyond a bound, by noise alone; dot: fitted value; tick: start. \"sd, %\": of "
                        "the value, or of the range where the bounds have both signs. " +
                        (lacks ? "Parts of the data ask for different parameters, by more than noise explains, and "
                                 "standard deviations and intervals allow for that. A richer model can narrow them."

@@ -68,11 +68,6 @@ std::string UnitOf(const Json& parameter, const RunContents& run) {
   return TextAt(parameter, "unit");
 }
 
-double ReportedParameter::RelativeSd() const {
-  const bool is_of_either_sign = lower < 0 && upper > 0;
-  return sd / (is_of_either_sign ? upper - lower : std::abs(value));
-}
-
 Json FitResultOf(const RunContents& run) {
   const auto file = run.files.find(kResultName);
   if (file == run.files.end()) Refuse(kResultMissing, {kResultName});
@@ -102,8 +97,12 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
     reported.lower = NumberAt(parameter, "lower") / si;
     reported.upper = NumberAt(parameter, "upper") / si;
     reported.state = StateOf(parameter, identifiability.is_object());
-    reported.sd = reported.state == ParameterState::kUndetermined ? std::numeric_limits<double>::infinity()
-                                                                  : NumberAt(parameter, "sd") / si;
+    reported.sd = NumberAt(parameter, "sd") / si;
+    if (reported.state == ParameterState::kUndetermined && std::isnan(reported.sd))
+      reported.sd = std::numeric_limits<double>::infinity();
+    // Older versions called it so.
+    if (reported.state == ParameterState::kDetermined && reported.RelativeSd() > kUndeterminedShare)
+      reported.state = ParameterState::kUndetermined;
     ReadInterval(parameter, si, reported);
     reported.at_bound = FlagAt(parameter, "at_bound");
     FindPartner(correlations, i, parameters, reported);

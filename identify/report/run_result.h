@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -22,9 +23,9 @@ struct ReportedParameter {
   double lower = 0;
   double upper = 0;
   ParameterState state = ParameterState::kNotComputed;
-  /// Standard deviation; infinite where nothing determines it, NaN in all other states but kDetermined.
+  /// Standard deviation; infinite where nothing determines it, NaN of those at a bound and of noise.
   double sd = 0;
-  /// Interval of 95 %; NaN and infinite like `sd`.
+  /// Interval of the run's confidence; NaN and infinite like `sd`.
   double lower_95 = 0;
   double upper_95 = 0;
   bool at_bound = false;
@@ -34,15 +35,14 @@ struct ReportedParameter {
   double held_factor = 0;
   /// Whether anything was found out of its deviation, such as that it has none.
   bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
+  std::string_view CutAt() const { return IntervalCutAt(lower_95, upper_95, lower, upper); }
   /// "lower" or "upper", of one at its bound.
   std::string BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }
   /// The other parameter that it is most correlated with; empty where that is not known.
   std::string partner;
   double correlation = 0;
 
-  /// Standard deviation as a share of the value, or of the range between bounds of either sign, whose value may be
-  /// zero.
-  double RelativeSd() const;
+  double RelativeSd() const { return fourpost::RelativeSd(sd, value, lower, upper); }
 };
 
 /// As the vehicle file writes the unit of this entry of `parameters`; in SI where there is none.

@@ -30,10 +30,13 @@ std::string Remark(const FittedParameter& parameter) {
   // A good prior is this far off in one fit of twenty.
   constexpr double kFar = 2;
   std::string remark = parameter.at_bound ? "at " + std::string(parameter.BoundName()) + " bound" : "";
+  const auto add = [&](const std::string& text) { remark += (remark.empty() ? "" : ", ") + text; };
+  if (parameter.state == ParameterState::kUndetermined && std::isfinite(parameter.sd)) add("not determined");
+  if (!parameter.CutAt().empty()) add("interval cut at " + std::string(parameter.CutAt()));
   if (parameter.state == ParameterState::kNoise)
-    remark += (remark.empty() ? "" : ", ") + std::string("derivative is noise");
+    add("derivative is noise");
   if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
-    remark += (remark.empty() ? "" : ", ") + Rounded(distance, 2) + " sd from prior";
+    add(Rounded(distance, 2) + " sd from prior");
   // Above it most of the doubt is that of held parameters and calibrations.
   constexpr double kHeldCounts = 1.5;
   const double factor = parameter.sd / std::hypot(parameter.noise_sd, parameter.model_sd);

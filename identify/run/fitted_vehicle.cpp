@@ -21,7 +21,7 @@ std::string DeviationNote(const FittedParameter& parameter) {
   switch (parameter.state) {
     case ParameterState::kNotComputed: return "";
     case ParameterState::kDetermined: return ", sd " + InFileUnit(parameter.sd, parameter.unit, 4);
-    case ParameterState::kUndetermined: return ", sd undetermined";
+    case ParameterState::kUndetermined: return ", not determined";
     case ParameterState::kAtBound: return ", at " + std::string(parameter.BoundName()) + " bound";
     case ParameterState::kNoise: return ", derivative is noise";
   }
@@ -51,7 +51,7 @@ std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParame
                           const std::string& confidence) {
   const auto finite = [](double number) { return std::isfinite(number) ? number : std::nan(""); };
   CsvWriter csv({"parameter", "unit", "start", "fitted", "difference_percent", "sd", "lower_95", "upper_95", "at_bound",
-                 "source_of_start", "confidence_of_interval"});
+                 "source_of_start", "confidence_of_interval", "interval_cut_at"});
   for (const FittedParameter& p : parameters) {
     const auto told = std::find_if(vehicle.parameters.begin(), vehicle.parameters.end(),
                                    [&](const Parameter& parameter) { return parameter.name == p.name; });
@@ -59,7 +59,7 @@ std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParame
     csv.Add(p.start != 0 ? 100 * (p.value - p.start) / p.start : std::nan(""));
     csv.Add(finite(p.sd)).Add(finite(p.lower_95)).Add(finite(p.upper_95));
     csv.Add(p.at_bound ? "yes" : "no").Add(told == vehicle.parameters.end() ? "" : told->source);
-    csv.Add(std::isfinite(p.lower_95) ? confidence : "");
+    csv.Add(std::isfinite(p.lower_95) ? confidence : "").Add(std::string(p.CutAt()));
   }
   return csv.text();
 }

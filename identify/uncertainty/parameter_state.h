@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace fourpost {
@@ -9,7 +10,7 @@ namespace fourpost {
 enum class ParameterState {
   kNotComputed,
   kDetermined,
-  /// Neither data nor a prior determine it.
+  /// Neither data nor a prior determine it, or its standard deviation is as large as it, see RelativeSd().
   kUndetermined,
   /// A bound holds it there, not the data.
   kAtBound,
@@ -20,5 +21,19 @@ enum class ParameterState {
 /// As in result.json, in the order of ParameterState.
 inline constexpr std::array<std::string_view, 5> kParameterStateNames = {"not_computed", "determined", "undetermined",
                                                                          "at_bound", "noise"};
+
+/// Standard deviation as a share of the value, or of the range between bounds of either sign, whose value may be zero.
+inline double RelativeSd(double sd, double value, double lower, double upper) {
+  return sd / (lower < 0 && upper > 0 ? upper - lower : std::abs(value));
+}
+
+/// Above it a value is not determined.
+inline constexpr double kUndeterminedShare = 1;
+
+/// At which bounds an interval was cut: its end is the bound itself, and would lie beyond; empty: at none.
+inline std::string_view IntervalCutAt(double from, double to, double lower, double upper) {
+  if (from == lower && to == upper) return "both bounds";
+  return from == lower ? "lower bound" : to == upper ? "upper bound" : "";
+}
 
 }  // namespace fourpost

@@ -15,6 +15,7 @@ struct FittedParameter {
   double start = 0;
   double value = 0;
   double sd = 0;
+  /// Ends of the interval, whatever its confidence: 95 %, or 80 to 90 % where the run says so.
   double lower_95 = 0;
   double upper_95 = 0;
   /// "determined", "undetermined", "at_bound", ..., as in result.json (docs/reference.md).

@@ -35,6 +35,24 @@ TEST(ParameterTable, TellsIntervalsThatReachBeyondABound) {
               AllOf(HasSubstr("class=\"interval below above\""), HasSubstr("interval reaches beyond both bounds")));
 }
 
+TEST(ParameterTable, MarksEndsThatAreCutAtABound) {
+  ReportedParameter cut = Known();
+  cut.sd = 40;
+  cut.lower_95 = cut.lower;
+  cut.upper_95 = 140;
+  EXPECT_THAT(ParameterTableHtml({cut}, ""), HasSubstr("weakly determined, interval cut at lower bound"));
+  cut.upper_95 = cut.upper;
+  EXPECT_THAT(ParameterTableHtml({cut}, ""), HasSubstr("interval cut at both bounds"));
+  EXPECT_THAT(ParameterTableHtml({Known()}, ""), Not(HasSubstr("interval cut")));
+}
+
+TEST(ParameterTable, CallsWhatIsAsWideAsItsValueNotDetermined) {
+  ReportedParameter wide = Known();
+  wide.sd = 120;
+  wide.state = ParameterState::kUndetermined;
+  EXPECT_THAT(ParameterTableHtml({wide}, ""), AllOf(HasSubstr("not determined"), Not(HasSubstr("weakly"))));
+}
+
 TEST(ParameterTable, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
   ReportedParameter wide = Known();
   wide.limited_by = "held: kt";

@@ -21,6 +21,21 @@ TEST(FitText, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
   EXPECT_THAT(TextOf(fit), Not(HasSubstr("if that were known")));
 }
 
+TEST(FitText, MarksEndsThatAreCutAtABound) {
+  FitResult fit;
+  fit.parameters = {{.name = "k", .value = 2, .lower = 1, .upper = 3, .sd = 0.4, .unit = "1"}};
+  FittedParameter& k = fit.parameters[0];
+  k.lower_95 = 1.2;
+  k.upper_95 = 2.8;
+  EXPECT_THAT(TextOf(fit), Not(HasSubstr("cut")));
+  k.upper_95 = k.upper;
+  EXPECT_THAT(TextOf(fit), HasSubstr("interval cut at upper bound"));
+  k.lower_95 = k.lower;
+  k.sd = 4;
+  k.state = ParameterState::kUndetermined;
+  EXPECT_THAT(TextOf(fit), HasSubstr("not determined, interval cut at both bounds"));
+}
+
 TEST(FitText, AsksForSmallerDeviationsWhereResidualsAreFarBelow) {
   FitResult fit;
   fit.covariance.emplace();
