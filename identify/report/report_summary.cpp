@@ -8,6 +8,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
 #include "analysis/text/enumeration.h"
+#include "identify/report/channel_list.h"
 #include "identify/report/grown_path.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/missing_additions.h"
@@ -23,8 +24,6 @@ using Json = nlohmann::json;
 // Relative standard deviations.
 constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
-// As large as the value itself.
-constexpr double kUnknown = 1;
 // Residuals over noise and stated model error: above this the model lacks something, below that nothing is left.
 constexpr double kMisses = 1.5;
 constexpr double kExplained = 1.1;
@@ -46,12 +45,9 @@ std::vector<std::string> AsCode(const std::vector<std::string>& names) {
   return codes;
 }
 
-std::vector<std::string> Named(const std::vector<JudgedChannel>& channels, Follows follows, bool with_numbers) {
-  std::vector<std::string> names;
-  for (const JudgedChannel& channel : channels)
-    if (channel.follows == follows)
-      names.push_back(Code(channel.name) + (with_numbers ? " (" + html::Escaped(channel.numbers) + ")" : ""));
-  return names;
+std::size_t CountOf(const std::vector<JudgedChannel>& channels, Follows follows) {
+  return static_cast<std::size_t>(std::count_if(
+      channels.begin(), channels.end(), [&](const JudgedChannel& channel) { return channel.follows == follows; }));
 }
 
 struct Judgement {
@@ -170,19 +166,19 @@ std::string Item(const std::string& title, const std::string& html) {
 }
 
 std::string WhatFits(const std::vector<JudgedChannel>& channels) {
-  const std::vector<std::string> well = Named(channels, Follows::kWell, false);
   if (channels.empty()) return "";
+  const std::size_t well = CountOf(channels, Follows::kWell);
   const std::string within = "within " + ShownLimits(channels);
-  if (well.empty()) return "No channel is " + within + ".";
-  return Enumeration(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
+  if (well == 0) return "No channel is " + within + ".";
+  return ChannelList(channels, Follows::kWell, false) + (well == 1 ? " is " : " are ") + within + ".";
 }
 
 std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::string& worst) {
-  const std::vector<std::string> roughly = Named(channels, Follows::kRoughly, true);
-  const std::vector<std::string> far = Named(channels, Follows::kNot, true);
+  const std::string roughly = ChannelList(channels, Follows::kRoughly, true);
+  const std::string far = ChannelList(channels, Follows::kNot, true);
   std::string text;
-  if (!far.empty()) text += "Poor: " + Enumeration(far) + ". ";
-  if (!roughly.empty()) text += "Fair: " + Enumeration(roughly) + ". ";
+  if (!far.empty()) text += "Poor: " + far + ". ";
+  if (!roughly.empty()) text += "Fair: " + roughly + ". ";
   if (!text.empty()) text += worst;
   return text;
 }
@@ -193,8 +189,8 @@ std::string Sentences(const std::string& first, const std::string& second) {
 
 /// Of recordings that were not fitted.
 std::string WhatItMisses(const std::vector<JudgedChannel>& unseen) {
-  const std::vector<std::string> far = Named(unseen, Follows::kNot, true);
-  return far.empty() ? "" : "Poor on recordings that were not fitted: " + Enumeration(far) + ". ";
+  const std::string far = ChannelList(unseen, Follows::kNot, true);
+  return far.empty() ? "" : "Poor on recordings that were not fitted: " + far + ". ";
 }
 
 /// Where all fitted channels are within tolerance.
@@ -220,10 +216,9 @@ std::string Unseen(const std::vector<Json>& validation) {
 /// Of recordings that were not fitted.
 std::string WhatItPredicts(const std::vector<Json>& validation, const std::vector<JudgedChannel>& channels) {
   if (channels.empty()) return "";
-  const std::vector<std::string> well = Named(channels, Follows::kWell, false);
-  return std::to_string(well.size()) + " of " + std::to_string(channels.size()) + ' ' + Unseen(validation) +
-         " that were not fitted are within " + ShownLimits(channels) + "; the worst is " + Code(channels.back().name) +
-         " (" + html::Escaped(channels.back().numbers) + ").";
+  return std::to_string(CountOf(channels, Follows::kWell)) + " of " + std::to_string(channels.size()) + ' ' +
+         Unseen(validation) + " that were not fitted are within " + ShownLimits(channels) + "; the worst is " +
+         Code(channels.back().name) + " (" + html::Escaped(channels.back().numbers) + ").";
 }
 
 /// Of what was kept for validation.
@@ -242,7 +237,7 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
   for (const ReportedParameter& parameter : parameters) {
     const double sd = parameter.RelativeSd();
     // A bound that holds a parameter knows it, not the data.
-    if (!std::isfinite(sd) || parameter.at_bound || sd > kUnknown) continue;
+    if (!std::isfinite(sd) || parameter.at_bound || parameter.state == ParameterState::kUndetermined) continue;
     ++known;
     if (sd <= kWellKnown) ++well;
     if (sd > kWeaklyKnown) weak.push_back(Code(parameter.name) + " (" + ShownNumber(100 * sd, 2) + " %)");
@@ -274,7 +269,7 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
   if (const std::string why = WhyNoDeviations(parameters, remarks.why_no_deviations); !why.empty())
     return html::Escaped(why);
   for (const ReportedParameter& parameter : parameters)
-    if (std::isinf(parameter.sd) || (!parameter.at_bound && parameter.RelativeSd() > kUnknown))
+    if (std::isinf(parameter.sd) || parameter.state == ParameterState::kUndetermined)
       open.push_back(Code(parameter.name));
   std::string text;
   if (!open.empty()) text += "Not determined by the data: " + Enumeration(open) + ". ";

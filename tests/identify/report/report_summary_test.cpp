@@ -86,7 +86,7 @@ TEST(Summary, TellsRecordingsApartAndWhatItPredicts) {
   result["validation"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 8},
                                          {"recording": "10 Hz", "name": "force", "nmse_percent": 1}])");
   EXPECT_THAT(SummaryOf(result, Known()),
-              AllOf(HasSubstr("<code>1 Hz</code> and <code>5 Hz</code> are within 5 % NMSE"),
+              AllOf(HasSubstr("<code>5 Hz</code> and <code>1 Hz</code> are within 5 % NMSE"),
                     HasSubstr("1 of 2 recordings that were not fitted are within 5 % NMSE; the worst is "
                               "<code>sweep</code> (8.0 % NMSE)")));
 }
@@ -99,6 +99,22 @@ TEST(Summary, CountsChannelsOfOneRecordingAsChannels) {
               HasSubstr("1 of 2 channels of <code>sweep</code> that were not fitted are within 5 % NMSE"));
   result["validation"][1]["recording"] = "road";
   EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("1 of 2 channels of 2 recordings that were not fitted"));
+}
+
+Json Poor(const std::string& name, double deg) {
+  return {{"recording", "bounce"}, {"name", name}, {"rms_dB", 3}, {"rms_deg", deg}};
+}
+
+TEST(Summary, NamesLeftAndRightTogetherAndCountsTheRest) {
+  Json result = Good();
+  result["channels"] = {Poor("a_body_FL", 30), Poor("a_body_FR", 31), Poor("a_axle_left", 26),
+                        Poor("a_axle_right", 25)};
+  EXPECT_THAT(SummaryOf(result, Known()),
+              HasSubstr("Poor: <code>a_body_FL</code> and <code>FR</code> (3.0 dB, 31\u00b0) and "
+                        "<code>a_axle_left</code> and <code>right</code> (3.0 dB, 26\u00b0). "));
+  for (int i = 0; i < 6; ++i) result["channels"].push_back(Poor("z" + std::to_string(i), 21 + i * 0.1));
+  EXPECT_THAT(SummaryOf(result, Known()),
+              AllOf(HasSubstr("<code>z2</code> (3.0 dB, 21\u00b0) and 2 more. "), Not(HasSubstr("<code>z1</code>"))));
 }
 
 // A model that follows what it was fitted to and misses the rest lacks something.
