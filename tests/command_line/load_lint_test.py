@@ -57,7 +57,7 @@ class Posts:
         def test_of_wheelpans_are_within_the_range_that_is_printed(self):
             """They were weighed along: 25 kg each, 100 kg in all."""
             warnings = self.fit_with({"4971": "5216", "5092": "5337", "5493": "5738", "5497": "5742"})
-            printed = re.search(r"add up to 2247 kg, .* so between (\d+) and (\d+) kg in all "
+            printed = re.search(r"add up to 2247 kg, .* between (\d+) and (\d+) kg in all "
                                 r".*\[loads-heavier-than-motion\]", warnings)
             self.assertTrue(printed, warnings)
             self.assertLess(float(printed[1]), 100)

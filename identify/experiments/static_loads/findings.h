@@ -32,17 +32,13 @@ inline const Finding kStaticLoadsBelowBounds{
 
 inline const Finding kStaticLoadsHeavierThanMotion{
     "loads-heavier-than-motion", Severity::kWarning,
-    "the static loads add up to {} kg, but the dynamic forces alone give {} kg (standard deviation {} kg; models are "
-    "off "
-    "by up to {} standard deviations with correct loads), so between {} and {} kg in all are weighed too or not tared "
-    "on "
-    "the {} loads, such as wheelpans",
+    "the static loads add up to {} kg, the dynamic forces alone to {} kg (standard deviation {} kg, the model's error "
+    "included); between {} and {} kg in all are weighed too or not tared on the {} loads, such as wheelpans",
     "{}weigh one or look it up, and subtract its mass there; or check the scale of the load cells in motion"};
 inline const Finding kStaticLoadsLighterThanMotion{
     "loads-lighter-than-motion", Severity::kWarning,
-    "the static loads add up to {} kg, but the dynamic forces alone give {} kg (standard deviation {} kg; models are "
-    "off "
-    "by up to {} standard deviations with correct loads), so between {} and {} kg in all are missing on the {} loads",
+    "the static loads add up to {} kg, the dynamic forces alone to {} kg (standard deviation {} kg, the model's error "
+    "included); between {} and {} kg in all are missing on the {} loads",
     "{}add what was not weighed, or check the scale of the load cells in motion"};
 inline const Finding kStaticLoadFarOff{"load-far-off", Severity::kWarning, "the fitted loads at rest are far off: {}",
                                        "{}check for a load cell not tared, for a wheelpan or payload weighed too, for "

@@ -84,14 +84,15 @@ struct LoadsInMotion {
 
 /// One step of Gauss and Newton's from the optimum without the loads' residuals. With S the deviations of the
 /// parameters, R their correlations, and B the derivatives of the loads' residuals by p/S: the rest of the data has the
-/// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not determine the weight.
+/// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not determine the weight, nor where a bound does: of a
+/// mass that is held there.
 std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const FittedLoads& loads) {
-  // What a bound holds stays there.
+  // Any other parameter that a bound holds stays there.
   std::vector<Eigen::Index> known;
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const FittedParameter& parameter = fit.parameters[i];
     if (parameter.noise_sd > 0 && std::isfinite(parameter.noise_sd)) known.push_back(static_cast<Eigen::Index>(i));
-    else if (parameter.state != ParameterState::kAtBound) return std::nullopt;
+    else if (parameter.state != ParameterState::kAtBound || parameter.dimension == kMass) return std::nullopt;
   }
   if (!fit.covariance || known.empty()) return std::nullopt;
   const double inflation = fit.covariance->inflation;
@@ -143,14 +144,15 @@ bool IsShared(const Eigen::VectorXd& measured, const LoadsInMotion& motion) {
 std::string LackingFirst(const FitResult& fit) {
   constexpr double kLarge = 1.5;
   if (!(fit.Misfit() > kLarge)) return "";
-  return "first add what the model lacks (`fourpost suggest`), since its residuals are " +
-         ShortNumber(fit.Misfit(), 2) +
-         " times what is expected and such a model has wrong masses; if it lacks nothing, ";
+  return "first add what the model lacks (`fourpost suggest`), which makes its masses wrong: its residuals are " +
+         ShortNumber(fit.Misfit(), 2) + " times what is expected; then ";
 }
 
-/// Whether it found something.
+/// Whether it found something. A model whose residuals are far too large says nothing of the weight.
 bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const FittedLoads& loads,
                 Diagnostics& diagnostics) {
+  constexpr double kFarMisfit = 3;
+  if (fit.Misfit() > kFarMisfit) return false;
   // Beyond what models miss; 25 kg on all posts are 8.9 and more.
   constexpr double kFarOffHere = 8;
   static_assert(kFarOffHere > kMissed);
@@ -166,11 +168,11 @@ bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const 
   if (!IsShared(measured, *motion)) return false;
   const auto kg = [](double force_N, int digits) { return ShortNumber(force_N / kGravity, digits); };
   const double reach = kMissed * motion->sd;
-  diagnostics.Report(more > 0 ? kStaticLoadsHeavierThanMotion : kStaticLoadsLighterThanMotion,
-                     {static_loads.plan.table.string()},
-                     {kg(rest, 4), kg(motion->loads.sum(), 4), kg(motion->sd, 2), ShortNumber(kMissed, 2),
-                      kg(std::abs(more) - reach, 2), kg(std::abs(more) + reach, 2),
-                      std::to_string(Corners(static_loads)), LackingFirst(fit)});
+  const double misfit = std::isfinite(fit.Misfit()) ? std::max(1.0, fit.Misfit()) : 1;
+  diagnostics.Report(
+      more > 0 ? kStaticLoadsHeavierThanMotion : kStaticLoadsLighterThanMotion, {static_loads.plan.table.string()},
+      {kg(rest, 4), kg(motion->loads.sum(), 4), kg(misfit * motion->sd, 2), kg(std::abs(more) - reach, 2),
+       kg(std::abs(more) + reach, 2), std::to_string(Corners(static_loads)), LackingFirst(fit)});
   return true;
 }
 
