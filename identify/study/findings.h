@@ -48,7 +48,7 @@ inline const Finding kRigSign{"rig-sign", Severity::kError, "the sign is opposit
 inline const Finding kRigExchanged{"rig-exchanged", Severity::kError, "channels are exchanged: {}{} ({})",
                                    "exchange their names in the study", Weight::kGrave};
 inline const Finding kRigUnit{"rig-unit", Severity::kError, "the unit is wrong: {}{} ({}); this is the ratio of {}",
-                              "correct the unit or the scale", Weight::kGrave};
+                              "write {} in the study", Weight::kGrave};
 inline const Finding kRigScale{"rig-scale", Severity::kWarning, "the other channels contradict a scale: {}{} ({})",
                                "check its calibration", Weight::kGrave};
 inline const Finding kRigDelay{"rig-delay", Severity::kWarning, "the other channels contradict a time: {}{} ({})",

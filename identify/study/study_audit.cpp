@@ -12,9 +12,11 @@
 #include "analysis/text/text_table.h"
 #include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/four_post.h"
+#include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/time_history/time_histories.h"
 #include "identify/study/findings.h"
 #include "identify/study_file/channel_source_text.h"
+#include "identify/study_file/thousandfold.h"
 
 namespace fourpost {
 namespace {
@@ -29,14 +31,16 @@ constexpr double kPercent = 100;
 /// What is left over, over its noise, when no fault that is known explains it.
 constexpr double kContradiction = 2;
 
+/// `is_unit`: one unit is so many times the other.
 struct KnownFactor {
   double factor;
   const char* words;
+  bool is_unit = true;
 };
 constexpr std::array kKnownFactors = {
     KnownFactor{9.80665, "g instead of m/s^2"}, KnownFactor{25.4, "inches instead of mm"},
     KnownFactor{4.4482216, "pounds instead of N"}, KnownFactor{1000, "a prefix of a thousand"},
-    KnownFactor{2, "peak to peak for amplitude, or a sum for a mean"}};
+    KnownFactor{2, "peak to peak for amplitude, or a sum for a mean", false}};
 
 /// Of recorded over true, or its reciprocal; null where it is none of a unit.
 const KnownFactor* KnownOf(double factor) {
@@ -141,6 +145,38 @@ std::string Correction(const LoadedStudy& study, const Suspicion& suspicion) {
   return "'" + suspicion.fault.name + ": " + SourceText(source) + "'";
 }
 
+/// Where channels of stepped sines and histories stand; empty where a table of responses is among them, which takes no
+/// unit from the study.
+std::vector<std::filesystem::path> RecordedFiles(const LoadedStudy& study) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const auto& recording) {
+    files.push_back(recording.file);
+    for (const OtherFile& other : recording.preparation.others) files.push_back(other.path);
+  };
+  if (const FourPost* const sines = study.study.experiments.Find<FourPost>())
+    for (const StudyRecording& recording : sines->plan.recordings) {
+      if (!IsOverTime(recording)) return {};
+      add(recording);
+    }
+  if (const TimeHistories* const histories = study.study.experiments.Find<TimeHistories>())
+    for (const StudyHistory& history : histories->plan.histories) add(history);
+  return files;
+}
+
+/// What to write where readings are a unit's factor from the truth.
+std::string UnitCorrection(const LoadedStudy& study, const Suspicion& suspicion) {
+  const double factor = FactorOf(suspicion.size);
+  const KnownFactor* const known = KnownOf(factor);
+  const ChannelSource* const found = SourceOf(study, suspicion.fault.name);
+  const std::vector<std::filesystem::path> files = RecordedFiles(study);
+  if (found != nullptr && known->is_unit && !files.empty()) {
+    const double times = std::abs(factor) > 1 ? 1 / known->factor : known->factor;
+    if (const auto source = WithUnitOfTimes(*found, times, files))
+      return "'" + suspicion.fault.name + ": " + SourceText(*source) + "'";
+  }
+  return "the unit or the scale of what was recorded";
+}
+
 std::string Sure(const Suspicion& suspicion) {
   const std::string sure = ShortNumber(std::sqrt(suspicion.score), 2) + " sd, ";
   if (!(suspicion.next_score > 0)) return sure + "nothing else explains it";
@@ -229,7 +265,10 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
     const Finding& kind = KindOf(suspicion);
     const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
     std::vector<std::string> words = {Words(suspicion.fault, suspicion.size), RivalWords(suspicion), Sure(suspicion)};
-    if (&kind == &kRigUnit) words.emplace_back(KnownOf(FactorOf(suspicion.size))->words);
+    if (&kind == &kRigUnit) {
+      words.emplace_back(KnownOf(FactorOf(suspicion.size))->words);
+      words.push_back(UnitCorrection(study, suspicion));
+    }
     if (&kind == &kRigSign || &kind == &kRigDelay) words.push_back(Correction(study, suspicion));
     if (kind.severity() == Severity::kError && (certain == Severity::kWarning || !IsCertain(suspicion)))
       diagnostics.ReportAsWarning(kind, place, words);

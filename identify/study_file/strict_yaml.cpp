@@ -47,6 +47,13 @@ YAML::Node StrictMap::Get(std::string_view key) const {
   return node_[std::string(key)];
 }
 
+int StrictMap::LineOfKey(std::string_view key) const {
+  if (node_.IsMap())
+    for (const auto& entry : node_)
+      if (entry.first.IsScalar() && entry.first.Scalar() == key) return LineOf(entry.first);
+  return line_;
+}
+
 YAML::Node StrictMap::Require(std::string_view key) const {
   const YAML::Node value = Get(key);
   if (!value.IsDefined() && node_.IsMap()) Fault(node_, kKeyMissing, {where_, std::string(key)});

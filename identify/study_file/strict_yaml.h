@@ -51,6 +51,8 @@ class StrictMap {
   void FaultOf(std::string_view key, const Finding& finding, std::vector<std::string> words = {}) const;
   /// Line of the mapping itself.
   int line() const { return line_; }
+  /// Line on which a key stands, above the entries of its block; that of the mapping without it.
+  int LineOfKey(std::string_view key) const;
 
  private:
   /// "'key' of 'map'"

@@ -20,7 +20,8 @@ std::string StatedUnit(const SourceChannel& channel, const std::vector<std::file
 
 /// Of the same dimension, and so many times the size; empty where it has no name.
 std::string UnitOfSize(const std::string& stated, double times) {
-  constexpr std::array kNames = {"m", "mm", "um", "km", "N", "kN", "MN"};
+  constexpr std::array kNames = {"m",  "mm",  "um",  "km",   "in",    "N",      "MN",
+                                 "kN", "lbf", "m/s", "mm/s", "m/s^2", "mm/s^2", "g"};
   const std::optional<Unit> unit = ParseRecordedUnit(stated);
   if (!unit) return "";
   constexpr double kRounding = 1e-9;
@@ -48,6 +49,16 @@ ChannelSource WithUnitMeant(ChannelSource source, int direction, const std::vect
     const std::string meant = UnitOfSize(StatedUnit(channel, files), times);
     if (meant.empty()) channel.factor *= times;
     else channel.unit = meant;
+  }
+  return source;
+}
+
+std::optional<ChannelSource> WithUnitOfTimes(ChannelSource source, double times,
+                                             const std::vector<std::filesystem::path>& files) {
+  for (SourceChannel& channel : source.channels) {
+    const std::string meant = UnitOfSize(StatedUnit(channel, files), times);
+    if (meant.empty()) return std::nullopt;
+    channel.unit = meant;
   }
   return source;
 }

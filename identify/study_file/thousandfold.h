@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "identify/study_file/channel_source.h"
@@ -15,6 +16,11 @@ int ThousandfoldOf(double ratio);
 /// small, -1: with the unit that was meant, else with a scale. `files`: where its channels are looked for, for their
 /// units.
 ChannelSource WithUnitMeant(ChannelSource source, int direction, const std::vector<std::filesystem::path>& files);
+
+/// The same where the true readings are `times` the recorded ones and a unit is that much smaller or larger; empty where
+/// there is none for one of its channels.
+std::optional<ChannelSource> WithUnitOfTimes(ChannelSource source, double times,
+                                             const std::vector<std::filesystem::path>& files);
 
 /// "m" of the source's first channel: as stated, else as in the files; empty where it has none.
 std::string StatedUnitOf(const ChannelSource& source, const std::vector<std::filesystem::path>& files);

@@ -174,7 +174,7 @@ class Frf(ProgramTest):
         history = "vehicle: car.urdf\nhistories:\n  - file: wrong.csv\nchannels: {a_body: a_body, s_strut: s_strut}\nfree: [k]\n"
         for channel, study, finding, line in (
                 ("post_post", recording, "rig-amplitude", "post_channels: {post: {channel: post_post, unit: mm}}"),
-                ("s_strut", recording, "sine-thousandfold", "s_strut: {channel: s_strut, scale: 0.001}"),
+                ("s_strut", recording, "sine-thousandfold", "s_strut: {channel: s_strut, unit: mm}"),
                 ("post_post", history, "posts-unit-mistaken", "posts: {post: {channel: post_post, unit: mm}}"),
                 ("s_strut", history, "channel-thousandfold", "s_strut: {channel: s_strut, unit: mm}")):
             with self.subTest(finding):

@@ -83,7 +83,7 @@ std::vector<double> PostPattern(const Vehicle& vehicle, std::string_view name) {
   if (name == "pitch") return Sides(vehicle, name, kForward);
   if (name == "roll") return Sides(vehicle, name, kLeft);
   if (name == "warp") return Warp(vehicle);
-  throw PatternError({&kPatternUnknown, {std::string(name), DidYouMean(name, kPostPatterns)}});
+  throw PatternError({&kPatternUnknown, {std::string(name), DidYouMean(name, kPostPatternNames)}});
 }
 
 }  // namespace fourpost

@@ -14,6 +14,9 @@ namespace fourpost {
 /// Named motions of the posts.
 inline constexpr std::array<std::string_view, 4> kPostPatterns = {"heave", "pitch", "roll", "warp"};
 
+/// All names they go by.
+inline constexpr std::array<std::string_view, 5> kPostPatternNames = {"heave", "bounce", "pitch", "roll", "warp"};
+
 /// The name among kPostPatterns of one that goes by two: "heave" of "bounce"; else the name itself.
 std::string_view PatternName(std::string_view name);
 

@@ -59,7 +59,7 @@ inline const Finding kShareMalformed{"share-malformed", Severity::kError, "'{}' 
 inline const Finding kSharePostTwice{"share-post-twice", Severity::kError, "post '{}' is given twice",
                                      "remove one of the two"};
 inline const Finding kModeUnknown{"mode-unknown", Severity::kError, "no pattern of posts is called '{}'{}",
-                                  "write heave, pitch, roll, warp or the share of each post, such as {}=1"};
+                                  "write heave (bounce), pitch, roll, warp or the share of each post, such as {}=1"};
 inline const Finding kLimitOpen{
     "limit-open", Severity::kWarning,
     "not given, and its usual {} does not apply when another limit is given, so the post reaches {}",

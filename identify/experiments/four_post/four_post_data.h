@@ -85,6 +85,7 @@ struct FourPostPlan {
   std::vector<StudyRecording> validation = {};
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
+  int channels_line = 0;
   /// Whether sensors that all recordings have channels of the same name for are measured as well.
   bool takes_others_by_name = false;
   double band_lower_Hz = 0;

@@ -23,6 +23,7 @@ class FourPostReader {
   FourPostPlan Read() {
     ReadRecordings(study_);
     const YAML::Node channels = study_.Get("channels");
+    plan_.channels_line = study_.LineOfKey("channels");
     plan_.takes_others_by_name = TakesOthersByName(channels);
     if (channels.IsDefined())
       plan_.channels =

@@ -77,9 +77,15 @@ void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_b
   for (std::size_t i = 0; i < std::min(kShown, findings.size()); ++i)
     worst += (i == 0 ? "'" : ", '") + findings[i].channel + "' in '" + findings[i].recording + "' " +
              ShortNumber(findings[i].off, 2) + " times";
-  ChannelWarnings warnings(plan.file, plan.channels, diagnostics);
-  if (findings.size() <= kShown) warnings.Report(kSinesFarOff, findings.front().channel, {worst});
-  else warnings.Report(kManySinesFarOff, findings.front().channel, {Groups(findings), worst});
+  // One channel at its line, several at that of their section.
+  const bool is_one = std::all_of(findings.begin(), findings.end(), [&](const LargeMisfit& finding) {
+    return finding.channel == findings.front().channel;
+  });
+  const Place section{plan.file, plan.channels_line};
+  if (is_one)
+    ChannelWarnings(plan.file, plan.channels, diagnostics).Report(kSinesFarOff, findings.front().channel, {worst});
+  else if (findings.size() <= kShown) diagnostics.Report(kSinesFarOff, section, {worst});
+  else diagnostics.Report(kManySinesFarOff, section, {Groups(findings), worst});
 }
 
 }  // namespace fourpost

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "analysis/text/short_number.h"
 #include "identify/experiments/four_post/findings.h"
@@ -25,6 +26,11 @@ const StudyRecording* StatedAs(const FourPostPlan& plan, const std::string& name
   return found == plan.recordings.end() ? nullptr : &*found;
 }
 
+void AddFilesOf(const StudyRecording& stated, std::vector<std::filesystem::path>& files) {
+  files.push_back(stated.file);
+  for (const OtherFile& other : stated.preparation.others) files.push_back(other.path);
+}
+
 /// What to write where the amplitude is a thousand times too large, `direction` 1, or too small.
 std::string AmplitudeRemedy(const StudyRecording* stated, double amplitude_m, int direction) {
   const std::string millimetres = ShortNumber(1e3 * amplitude_m * (direction > 0 ? 1e-3 : 1e3), 3) + " mm";
@@ -32,14 +38,24 @@ std::string AmplitudeRemedy(const StudyRecording* stated, double amplitude_m, in
   if (stated->amplitude_m) return "amplitude: " + millimetres;
   if (!IsOverTime(*stated))
     return "post_amplitude_m in m, from rest to peak, into the table (here perhaps " + millimetres + ")";
-  std::vector<std::filesystem::path> files = {stated->file};
-  for (const OtherFile& other : stated->preparation.others) files.push_back(other.path);
+  std::vector<std::filesystem::path> files;
+  AddFilesOf(*stated, files);
   std::string line;
   for (std::size_t p = 0; p < stated->post_channels.size(); ++p)
     line += (line.empty() ? "post_channels: {" : ", ") + stated->post_channels[p].post + ": " +
             SourceText(WithUnitMeant({.channels = {stated->post_sources[p]}}, direction, files));
   return line.empty() ? "post_channels: {POST: {channel: NAME, unit: " + std::string(direction > 0 ? "mm" : "m") + "}}"
                       : line + "}";
+}
+
+/// A table of responses takes no unit from the study, but a scale.
+ChannelSource SourceMeant(const FourPostPlan& plan, ChannelSource source, int direction) {
+  std::vector<std::filesystem::path> files;
+  for (const StudyRecording& recording : plan.Stated()) AddFilesOf(recording, files);
+  if (std::all_of(plan.Stated().begin(), plan.Stated().end(), IsOverTime))
+    return WithUnitMeant(std::move(source), direction, files);
+  for (SourceChannel& channel : source.channels) channel.factor *= direction > 0 ? 1e-3 : 1e3;
+  return source;
 }
 
 double SumOfSquares(const std::vector<std::complex<double>>& values, const std::vector<std::complex<double>>& other) {
@@ -92,10 +108,9 @@ void LintSineUnits(const FourPostPlan& plan, const Vehicle& vehicle, const std::
     const auto source =
         std::find_if(plan.channels.begin(), plan.channels.end(), [&](const auto& one) { return one.first == name; });
     if (direction == 0 || source == plan.channels.end()) continue;
-    ChannelSource meant = source->second;
-    for (SourceChannel& channel : meant.channels) channel.factor *= direction > 0 ? 1e-3 : 1e3;
     ReportWith(severity, kSineThousandfold, {.file = plan.file, .line = source->second.line},
-               {name, ShortNumber(ratio, 2), name + ": " + SourceText(meant)}, diagnostics);
+               {name, ShortNumber(ratio, 2), name + ": " + SourceText(SourceMeant(plan, source->second, direction))},
+               diagnostics);
   }
 }
 

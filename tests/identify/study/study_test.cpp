@@ -175,8 +175,9 @@ TEST_F(StudyTest, BounceIsHeave) {
 
 TEST_F(StudyTest, ReportsAnUnknownPatternOfPosts) {
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "ptich"), Reports(kSinePatternUnknown, 5, {"'ptich'", "'pitch'"}));
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "bounc"), Reports(kSinePatternUnknown, 5, {"'bounc'", "'bounce'"}));
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "hop"),
-              Reports(kSinePatternUnknown, 5, {"'hop'", "heave, pitch, roll, warp"}));
+              Reports(kSinePatternUnknown, 5, {"'hop'", "heave, bounce, pitch, roll, warp"}));
 }
 
 TEST_F(StudyTest, ReportsPostsThatAreNeitherPatternNorShares) {

@@ -96,6 +96,7 @@ TEST(PostPattern, RefusesWarpWithoutFourCorners) {
 
 TEST(PostPattern, RefusesANameThatItDoesNotKnow) {
   EXPECT_TRUE(Refuses(OnPosts({{0, 0}}), "heav", kPatternUnknown, {"heav", ", did you mean 'heave'?"}));
+  EXPECT_TRUE(Refuses(OnPosts({{0, 0}}), "bounc", kPatternUnknown, {"bounc", ", did you mean 'bounce'?"}));
 }
 
 }  // namespace
