@@ -1,6 +1,7 @@
 #include "identify/command_line/init_suspension.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <system_error>
 
@@ -72,19 +73,22 @@ void WriteFiles(const fs::path& folder, const std::string& vehicle, const std::s
 /// Of both axles; empty without --load, or after an error.
 std::optional<AxleLoads> LoadsOf(const std::vector<std::string>& texts, Diagnostics& findings) {
   if (texts.empty()) return std::nullopt;
+  constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
   AxleLoads loads = {};
   for (const std::string& text : texts) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string axle = text.substr(0, equals);
     const std::size_t i = axle == "front" ? 0 : 1;
-    if (equals == text.size() || (i == 1 && axle != "rear") || loads[i] != 0) {
+    if (equals == text.size() || axle != kAxles[i]) {
       findings.Report(kAxleLoadMalformed, Place::Option("--load"), {text});
       continue;
     }
+    if (loads[i] != 0) findings.Report(kAxleLoadTwice, Place::Option("--load"), {axle});
     loads[i] = ReadQuantity(text.substr(equals + 1), kMass, "--load", findings).value_or(1);
   }
-  if (!findings.HasErrors() && (loads[0] == 0 || loads[1] == 0))
-    findings.Report(kAxleLoadMalformed, Place::Option("--load"), {texts[0]});
+  for (std::size_t i = 0; i < kAxles.size(); ++i)
+    if (!findings.HasErrors() && loads[i] == 0)
+      findings.Report(kAxleLoadMissing, Place::Option("--load"), {kAxles[i], kAxles[i]});
   return loads;
 }
 

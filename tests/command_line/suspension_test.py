@@ -72,8 +72,21 @@ class Suspension(ProgramTest):
         # Mass to 0.1 kg, centre to 0.1 mm.
         for load, expected in zip(sorted(loads), [350, 350, 450, 450]):
             self.assertAlmostEqual(load, expected, delta=0.1)
-        for text in ("front=900kg", "front=900kg,front=700kg", "front=900", "middle=1kg,front=900kg"):
-            self.run_program("init", "other", "--suspension", "front=double_wishbone,rear=multilink", "--load", text, code=2)
+        for text, finding in (("front=900kg", "axle-load-missing"), ("front=900kg,front=700kg", "axle-load-twice"),
+                              ("front=900", "option-quantity"), ("middle=1kg,front=900kg", "axle-load-malformed")):
+            run = self.run_program("init", "other", "--suspension", "front=double_wishbone,rear=multilink", "--load", text,
+                                   code=2)
+            self.assert_finding(run.stderr, finding)
+
+    def test_names_what_a_leaf_spring_has(self):
+        self.run_program("init", "van", "--suspension", "front=McPherson,rear=leafspring", "--load", "front=820kg,rear=700kg")
+        text = (self.folder / "van/vehicle.urdf").read_text()
+        self.assertIn('<fp:spring name="rear_leaf_left"', text)
+        self.assertNotIn("rear_coil", text)
+        self.assertIn('<fp:parameter name="f_rear_leaf" value="0 N" lower="0 N" upper="1000 N"', text)
+        self.assertEqual(self.run_program("check", "van/vehicle.urdf").stderr, "")
+        unknown = self.run_program("init", "car", "--suspension", "front=McFerson,rear=leefspring", code=2).stderr
+        self.assertIn("likewise 'leefspring' (did you mean 'leaf_spring'?)", unknown)
 
     def test_every_kind_and_point_is_documented(self):
         text = (SOURCE / "docs/suspensions.md").read_text()

@@ -31,8 +31,8 @@ void AxleWriter::StrutOf(std::string_view top, std::string_view bottom, std::str
 void AxleWriter::CoilAndDamper(const std::string& top, const std::string& bottom) {
   const std::string rate = "k_" + points_.axle;
   const std::string law = guess_.known.spring ? guess_.known.spring->tags : "<linear stiffness=\"$" + rate + "\"/>";
-  text_ += "  <fp:spring name=\"" + Name("coil") + "\" parent=\"" + top + "\" child=\"" + bottom + "\">\n    " + law +
-           "\n  </fp:spring>\n";
+  text_ += "  <fp:spring name=\"" + Name(points_.kind->spring) + "\" parent=\"" + top + "\" child=\"" + bottom +
+           "\">\n    " + law + "\n  </fp:spring>\n";
   if (!points_.kind->Find("damper_top") || !points_.Has("damper_top")) {
     Damper(top, bottom);
     Stops(top, bottom);
@@ -55,6 +55,14 @@ void AxleWriter::Damper(const std::string& top, const std::string& bottom) {
                                               : "<bilinear bump=\"$" + c + "_bump\" rebound=\"$" + c + "_rebound\"/>";
   text_ += "  <fp:damper name=\"" + Name("damper") + "\" parent=\"" + top + "\" child=\"" + bottom + "\">\n    " + law +
            "\n  </fp:damper>\n";
+}
+
+void AxleWriter::Friction(std::string_view name, const std::string& top, const std::string& bottom,
+                          const ParameterText& force) {
+  text_ += "  <fp:damper name=\"" + Name(name) + "\" parent=\"" + top + "\" child=\"" + bottom +
+           "\">\n    <linear rate=\"0 N*s/m\"/>\n    <friction force=\"$" + force.name +
+           "\" speed=\"2 mm/s\"/>\n  </fp:damper>\n";
+  Add(force);
 }
 
 void AxleWriter::Stops(const std::string& top, const std::string& bottom) {

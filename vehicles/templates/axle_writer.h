@@ -70,6 +70,8 @@ class AxleWriter {
   /// The same with coil and damper between these points of body and part.
   void StrutOf(std::string_view top, std::string_view bottom, std::string_view part);
   void CoilAndDamper(const std::string& top, const std::string& bottom);
+  /// Dry friction alone.
+  void Friction(std::string_view name, const std::string& top, const std::string& bottom, const ParameterText& force);
   void Tyre();
   void Sensors();
 

@@ -18,6 +18,9 @@ inline const Finding kSuspensionMissing{"suspension-missing", Severity::kError, 
 
 inline const Finding kAxleLoadMalformed{"axle-load-malformed", Severity::kError, "'{}' is not AXLE=MASS",
                                         "write e.g. front=760kg,rear=640kg, the mass on both tyres of each axle"};
+inline const Finding kAxleLoadMissing{"axle-load-missing", Severity::kError, "no load for the {} axle",
+                                      "add {}=MASS, the mass on both of its tyres"};
+inline const Finding kAxleLoadTwice{"axle-load-twice", Severity::kError, "two loads for the {} axle", "keep one"};
 inline const Finding kAxleLoadsTooSmall{"axle-loads-too-small", Severity::kError,
                                         "these loads leave {} for the body, beside the wheels and axles",
                                         "give the mass on both tyres of each axle"};

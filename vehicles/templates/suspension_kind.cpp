@@ -1,7 +1,9 @@
 #include "vehicles/templates/suspension_kind.h"
 
 #include <algorithm>
+#include <cctype>
 #include <initializer_list>
+#include <string>
 
 namespace fourpost {
 namespace {
@@ -227,11 +229,24 @@ std::vector<SuspensionKind> AllKinds() {
       {.name = "leaf_spring",
        .summary = "beam axle on leaf springs",
        .is_beam = true,
+       .spring = "leaf",
        .points = Joined(
            {WheelPoints(), leaf, DamperPoints(At(-0.05, 0.40, 0.74), At(-0.03, 0.52, 0.25), {"axle"}, Need::kNeeded)}),
        .write = WriteLeafSpring},
       TwistBeamKind()};
   return kinds;
+}
+
+/// Small letters without what joins words; "mcphersonstrut" is "macpherson".
+std::string Plain(std::string_view name) {
+  std::string plain;
+  for (const char c : name)
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (plain.starts_with("mcpherson")) plain.insert(1, "a");
+  for (const char* end : {"struts", "strut"})
+    if (plain == std::string("macpherson") + end) return "macpherson";
+  return plain;
 }
 
 }  // namespace
@@ -248,8 +263,9 @@ std::span<const SuspensionKind> SuspensionKinds() {
 }
 
 const SuspensionKind* FindSuspensionKind(std::string_view name) {
+  const std::string plain = Plain(name);
   for (const SuspensionKind& kind : SuspensionKinds())
-    if (kind.name == name) return &kind;
+    if (Plain(kind.name) == plain) return &kind;
   return nullptr;
 }
 

@@ -47,6 +47,8 @@ struct SuspensionKind {
   std::string_view summary;
   /// Both wheels are carried by one body.
   bool is_beam = false;
+  /// What its spring is called.
+  std::string_view spring = "coil";
   std::vector<PointSpec> points;
   std::vector<ArmSpec> arms;
   void (*write)(AxleWriter& axle) = nullptr;
@@ -57,7 +59,7 @@ struct SuspensionKind {
 /// In the order of docs/suspensions.md.
 std::span<const SuspensionKind> SuspensionKinds();
 
-/// nullptr for an unknown name.
+/// By its name in any usual spelling: "Leafspring", "MacPherson strut", "mcpherson"; nullptr for an unknown one.
 const SuspensionKind* FindSuspensionKind(std::string_view name);
 
 // Links and joints of each kind: what suspension_kind.cpp puts into the table.

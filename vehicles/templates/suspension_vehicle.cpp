@@ -111,6 +111,10 @@ BodyGuess Weighed(const CarPoints& points, const BodyGuess& body, const ReadCar&
   return {mass, rear + (body.mass * (body.x - rear) + front_change * wheelbase) / mass, true};
 }
 
+std::string NameOfSpring(const AxlePoints& points) {
+  return points.axle + '_' + std::string(points.kind->spring) + "_left";
+}
+
 /// Rates for the ride that is usual, at the motion ratios of the car as written.
 CarGuess GuessFor(const CarPoints& points, const ReadCar& car, CarGuess guess, const std::string& file,
                   Diagnostics& diagnostics) {
@@ -120,7 +124,7 @@ CarGuess GuessFor(const CarPoints& points, const ReadCar& car, CarGuess guess, c
     const double mass = car.summary.chassis.corners.at(tyre).sprung_kg.value_or(0.25 * kBodyMass);
     const RideGeometry& ride = car.summary.ride;
     if (axle.known.spring && axle.known.damper) continue;
-    const double spring = RatioOf(ride.springs, IndexOf(car.vehicle.springs, points[i].axle + "_coil_left"));
+    const double spring = RatioOf(ride.springs, IndexOf(car.vehicle.springs, NameOfSpring(points[i])));
     const double damper = RatioOf(ride.dampers, IndexOf(car.vehicle.dampers, points[i].axle + "_damper_left"));
     axle.spring_ratio = UsableRatio(spring, points[i], "spring", file, diagnostics);
     axle.damper_ratio = UsableRatio(damper, points[i], "damper", file, diagnostics);

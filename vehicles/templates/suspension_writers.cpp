@@ -183,7 +183,9 @@ void WriteLeafSpring(AxleWriter& axle) {
   axle.Comment(
       "Each leaf spring as a link and three rates. The axle's seat moves about a point at three quarters of the front\n"
       "       half's length (SAE HS-788, three-link equivalent of a leaf with parallel halves). At the seat stand the\n"
-      "       vertical rate, the lateral one and that of wind-up, k l^2 of cantilevers of k/2 and length l each.");
+      "       vertical rate, the lateral one and that of wind-up, k l^2 of cantilevers of k/2 and length l each. "
+      "Friction\n"
+      "       between the leaves is off.");
   const AxlePoints& points = axle.points();
   axle.BeamAxle();
   const Vector3d seat = points.At("seat");
@@ -201,6 +203,14 @@ void WriteLeafSpring(AxleWriter& axle) {
            "_windup\"/>\n    <loss factor=\"0.1\" frequency=\"10 Hz\"/>\n  </fp:bushing>\n");
   const std::string damper_top = axle.Frame("body", "damper_top");
   axle.CoilAndDamper(above, on_axle);
+  axle.Friction("leaf_friction", above, on_axle,
+                {.name = "f_" + points.axle + "_leaf",
+                 .value = 0,
+                 .lower = 0,
+                 .upper = 1000,
+                 .precision = 1,
+                 .unit = "N",
+                 .source = "off; friction between the leaves of one spring, a range that is usual of passenger cars"});
   const double windup = std::round(axle.guess().spring_rate * front * rear * 1e-2) * 0.1;
   axle.Add(ParameterText{.name = "kr_" + points.axle + "_windup",
                          .value = windup,

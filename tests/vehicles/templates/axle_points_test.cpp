@@ -19,8 +19,8 @@ TEST(AxlePoints, NamesEveryFaultOfTheChoice) {
   };
   EXPECT_THAT(faults({"macpherson"}), ReportsOption(kSuspensionMalformed, "--suspension", {"macpherson"}));
   EXPECT_THAT(faults({"middle=macpherson"}), ReportsOption(kSuspensionAxle, "--suspension", {"middle"}));
-  EXPECT_THAT(faults({"front=mcpherson", "rear=a_frame"}),
-              ReportsOption(kSuspensionKindUnknown, "--suspension", {"mcpherson", "macpherson"}));
+  EXPECT_THAT(faults({"front=macferson", "rear=a_frame"}),
+              ReportsOption(kSuspensionKindUnknown, "--suspension", {"macferson", "macpherson"}));
   EXPECT_THAT(faults({"front=macpherson", "front=a_frame"}),
               ReportsOption(kSuspensionTwice, "--suspension", {"front"}));
   EXPECT_THAT(faults({"front=macpherson"}), ReportsOption(kSuspensionMissing, "--suspension", {"rear"}));
@@ -29,6 +29,16 @@ TEST(AxlePoints, NamesEveryFaultOfTheChoice) {
   ASSERT_TRUE(kinds);
   EXPECT_EQ((*kinds)[0]->name, "macpherson");
   EXPECT_EQ((*kinds)[1]->name, "a_frame");
+}
+
+TEST(AxlePoints, TakesUsualSpellingsOfAKind) {
+  for (const char* name : {"McPherson", "macpherson_strut", "Mac Pherson", "MCPHERSON-STRUT", "macpherson struts"}) {
+    ASSERT_NE(FindSuspensionKind(name), nullptr) << name;
+    EXPECT_EQ(FindSuspensionKind(name)->name, "macpherson") << name;
+  }
+  EXPECT_EQ(FindSuspensionKind("leafspring"), FindSuspensionKind("leaf_spring"));
+  EXPECT_EQ(FindSuspensionKind("strut"), nullptr);
+  EXPECT_EQ(FindSuspensionKind(""), nullptr);
 }
 
 /// The table of a car with double wishbones and a twist beam, lines as in the file, and one change.
