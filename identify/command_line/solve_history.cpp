@@ -39,9 +39,10 @@ class HistoryProgress {
     const double start = drive_.start_s - drive_.lead_s;
     const double seconds = line_.seconds() - began_s_;
     const std::string left = TimeLeft((t - start) / (drive_.end_s - start), seconds);
-    // How many runs it takes is known when two of them agree.
+    // How many runs it takes is known when two of them agree; each takes twice as long as the one before.
     line_.Show("simulate: " + work_ + ", " + Rounded(std::max(0.0, t), 3) + " of " + Rounded(drive_.end_s, 3) + " s" +
-               (left.empty() ? ", run " : left + " of run ") + std::to_string(run_) + " (others may follow)" +
+               (left.empty() ? ", run " : left + " of run ") + std::to_string(run_) + " of at most " +
+               std::to_string(HistorySolver::MostRuns(work_)) +
                Rate(t - start, seconds, "simulated s"));
     return !Interrupted();
   }

@@ -22,6 +22,11 @@ constexpr double kComparedRate_Hz = 250;
 /// The longest step over which forces that linear kinematics leave out go straight [s].
 constexpr double kLongestStep_s = 4e-3;
 
+constexpr int kMostHalvings = 3;
+constexpr const char* kReducedWork = "reduced model";
+constexpr const char* kFullWork = "full geometry";
+constexpr const char* kMultibodyWork = "multibody system";
+
 TimeHistory EveryOf(const TimeHistory& history, Index stride) {
   TimeHistory some{.start_s = history.start_s, .rate_Hz = history.rate_Hz / static_cast<double>(stride)};
   const auto rows = Eigen::seq(0, history.size() - 1, stride);
@@ -53,6 +58,12 @@ HistoryDifference LargestDifferenceOf(const TimeHistory& history, const TimeHist
   return {.share = share, .channel = share == 0 ? "" : sensors[static_cast<std::size_t>(at)].name};
 }
 
+int HistorySolver::MostRuns(std::string_view work) {
+  // One for the error of linear kinematics, but by the reduced model; the multibody system's accuracy has two values.
+  if (work == kReducedWork) return CondensedHistoryOptions().most_halvings + 1;
+  return 1 + (work == kFullWork ? kMostHalvings + 1 : 2);
+}
+
 HistorySolver::HistorySolver(const Vehicle& vehicle) : HistorySolver(vehicle, vehicle.ParameterValues()) {}
 
 HistorySolver::HistorySolver(const Vehicle& vehicle, std::vector<double> values)
@@ -70,7 +81,7 @@ Multibody& HistorySolver::FullSystemAtValues() {
 
 SolvedHistory HistorySolver::Reduced(const PostMotion& posts, const TimeGrid& grid, const Options& options,
                                      const Progress& progress) {
-  const auto go_on = [&](double t) { return !progress || progress("reduced model", t); };
+  const auto go_on = [&](double t) { return !progress || progress(kReducedWork, t); };
   CondensedHistory answer =
       SimulateCondensed(model_, rig_, posts, grid, {.error = options.error, .released = options.released}, go_on);
   return Taken(std::move(answer), Engine::kReduced);
@@ -79,7 +90,7 @@ SolvedHistory HistorySolver::Reduced(const PostMotion& posts, const TimeGrid& gr
 /// `step_s`: of the condensed model within the steps of the full one, at first.
 SolvedHistory HistorySolver::Full(const PostMotion& posts, const TimeGrid& grid, const Options& options, double step_s,
                                   const Progress& progress) {
-  const auto go_on = [&](double t) { return !progress || progress("full geometry", t); };
+  const auto go_on = [&](double t) { return !progress || progress(kFullWork, t); };
   const double share = std::min(1.0, step_s / std::min(1 / grid.rate_Hz, kLongestStep_s));
   const HistoryRun run = [&](double longest_step, const GoOn& goes_on) {
     FullSystem system(FullSystemAtValues(), model_,
@@ -89,7 +100,8 @@ SolvedHistory HistorySolver::Full(const PostMotion& posts, const TimeGrid& grid,
   };
   try {
     CondensedHistory answer = SimulateByHalving(
-        run, rig_.sensors, grid, {.error = options.error, .longest_step_s = kLongestStep_s, .most_halvings = 3}, go_on);
+        run, rig_.sensors, grid,
+        {.error = options.error, .longest_step_s = kLongestStep_s, .most_halvings = kMostHalvings}, go_on);
     if (!std::isfinite(answer.change) && !answer.ended) throw SimulationError(kOneStepOnly);
     return Taken(std::move(answer), Engine::kFull);
   } catch (const std::runtime_error&) {
@@ -102,7 +114,7 @@ SolvedHistory HistorySolver::Integrated(const PostMotion& posts, const TimeGrid&
   const auto run = [&](double accuracy) {
     MultibodySystem system(FullSystemAtValues(), accuracy);
     system.StartFrom(options.released);
-    return Simulate(system, posts, grid, [&](double t) { return !progress || progress("multibody system", t); });
+    return Simulate(system, posts, grid, [&](double t) { return !progress || progress(kMultibodyWork, t); });
   };
   const Index whole = grid.lead_count() + grid.count();
   // Simbody weighs states by about 1 m, posts move by millimetres.
@@ -128,14 +140,14 @@ void HistorySolver::Estimate(const PostMotion& posts, const TimeGrid& grid, cons
   };
   try {
     FullSystem full(FullSystemAtValues(), model_, {.longest_s = kLongestStep_s, .longest_part_s = *reduced.by.step_s});
-    compare(full, "full geometry");
+    compare(full, kFullWork);
     return;
   } catch (const std::runtime_error&) {
     // Simbody's own integrator may find the motion that steps of milliseconds do not.
   }
   try {
     MultibodySystem full(FullSystemAtValues(), 1e-5);
-    compare(full, "multibody system");
+    compare(full, kMultibodyWork);
   } catch (const std::runtime_error& fault) {
     reduced.by.not_estimated = fault.what();
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vehicles/condensed/condensed_model.h"
@@ -70,6 +71,8 @@ class HistorySolver {
 
   /// Called with the work ("reduced model", "full geometry", "multibody system") and its time; false ends it.
   using Progress = std::function<bool(const char* work, double t)>;
+  /// Runs over the grid that one work takes at most: each halves the step until two agree.
+  static int MostRuns(std::string_view work);
 
   /// The vehicle must outlive this object. Throws FaultyInput if it cannot be assembled or held in its design pose.
   explicit HistorySolver(const Vehicle& vehicle);

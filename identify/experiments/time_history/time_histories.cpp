@@ -218,7 +218,7 @@ Experiment::Geometry TimeHistories::CheckGeometry(const Subject& subject, const 
   const bool is_corrected = plan.cost != HistoryCost::kPrediction;
   std::optional<std::vector<HistoryCheck>> found = CheckHistories(
       subject, fitted, Options(subject).error, is_corrected, values, [&hooks](const std::string& work, double t) {
-        hooks.Show("fit: check of linear kinematics, " + work + " at " + Rounded(t, 3) + " s");
+        hooks.Show("fit: check of linear kinematics, " + work + " at " + Rounded(std::max(0.0, t), 3) + " s");
         return !hooks.IsStopped();
       });
   if (!found) return Geometry::kInterrupted;

@@ -1,4 +1,5 @@
 // What a vehicle that is given makes of recordings over time.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,7 +31,8 @@ std::optional<EngineHistory> Answer(const Subject& subject, const MeasuredHistor
   const double end = history.TimeAt(history.count - 1);
   return SimulateBy(options, history, subject.vehicle(), subject.vehicle().ParameterValues(),
                     [&](const std::string& work, double t) {
-                      hooks.Show(work + ": " + Rounded(t, 3) + " of " + Rounded(end, 3) + " s");
+                      // It runs in before the first sample.
+                      hooks.Show(work + ": " + Rounded(std::max(0.0, t), 3) + " of " + Rounded(end, 3) + " s");
                       return !hooks.IsStopped();
                     });
 }
