@@ -213,7 +213,7 @@ TEST(FitVerdict, NamesOtherOptimaThatTheDataAllow) {
                  {.from = "search", .end = RefineEnd::kConverged, .cost = 110, .values = {40}},
                  {.from = "search", .end = RefineEnd::kIterations, .cost = 111, .values = {60}},
                  {.from = "vehicle file", .end = RefineEnd::kConverged, .cost = 900, .values = {80}}};
-  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kOtherOptima, 0, {"1 ", "110", "100"}));
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kOtherOptima, 0, {"another optimum", "110", "100"}));
   fit.refined[1].values = {10.05};
   EXPECT_THAT(ConclusionsOf(fit, {}, true), testing::Not(Reports(kOtherOptima, 0)));
 }

@@ -58,8 +58,17 @@ TEST(MisfitLint, HasNothingToTellOfAFitThatAgrees) {
   LoadedStudy study = Exact();
   EXPECT_EQ(Lint(study).Format(), "");
   Rest(study).loads[0].sd_N = 200;
-  Rest(study).loads[0].load_N += 3.9 * 200;
+  Rest(study).loads[0].load_N += 2.9 * 200;
   EXPECT_EQ(Lint(study).Format(), "");
+}
+
+TEST(MisfitLint, TellsOfLoadsBeyondThreeDeviationsOnce) {
+  LoadedStudy study = Exact();
+  Rest(study).loads[0].sd_N = Rest(study).loads[1].sd_N = 100;
+  Rest(study).loads[0].load_N += 350;
+  Rest(study).loads[1].load_N -= 340;
+  const Diagnostics found = Lint(study);
+  EXPECT_THAT(found, ReportsOnly(kStaticLoadsDiffer, 0, {"'front_tyre' 350 N more (3.5 sd)", "340 N less (3.4 sd)"}));
 }
 
 TEST(MisfitLint, TellsOfALoadThatIsFarOff) {
