@@ -319,12 +319,12 @@ std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double
 }
 
 Eigen::MatrixXd HistoryResiduals::Starts() const {
-  std::vector<Eigen::MatrixXd> motions;
+  std::vector<FreeMotion> motions;
   Index columns = 0;
   for (const MeasuredHistory& history : histories_) {
     const CondensedModel model = ModelOf(history, condensed_->vehicle().ParameterValues());
-    motions.push_back(history.release ? Eigen::MatrixXd(0, 0) : FreeMotions(history, model));
-    columns += motions.back().cols();
+    motions.push_back(history.release ? FreeMotion() : FreeMotionOf(history, model));
+    columns += motions.back().later.cols();
   }
   Eigen::MatrixXd starts = Eigen::MatrixXd::Zero(count_, columns);
   Index row = 0;
@@ -332,13 +332,13 @@ Eigen::MatrixXd HistoryResiduals::Starts() const {
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
     const Index each = CountOf(history);
+    const Index here = motions[h].later.cols();
     for (std::size_t s = 0; s < history.signals.size(); ++s, row += each) {
-      if (motions[h].cols() == 0) continue;
-      const auto rows = Eigen::seqN(static_cast<Index>(s) * history.count, each, history.Stride());
-      starts.block(row, column, each, motions[h].cols()) =
-          motions[h](rows, Eigen::all) / DeviationOf(history.signals[s]);
+      if (here == 0) continue;
+      starts.block(row, column, each, here) =
+          motions[h].Rows(static_cast<Index>(s), each, history.Stride()) / DeviationOf(history.signals[s]);
     }
-    column += motions[h].cols();
+    column += here;
   }
   return starts;
 }

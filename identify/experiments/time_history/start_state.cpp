@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "analysis/numerics/decompositions.h"
@@ -55,60 +57,101 @@ std::vector<FreeMode> ModesOf(const MeasuredHistory& history, const CondensedMod
   return modes;
 }
 
-/// Of one signal: samples of the window.
+/// How long a filter rings on: its slowest pole falls by 1e-13 in this time.
+double RingingOf(const std::optional<LowPassDesign>& filter) {
+  constexpr double kTimeConstants = 30;
+  if (!filter) return 0;
+  const double slowest = 2 * std::numbers::pi * filter->cutoff_Hz * std::sin(std::numbers::pi / (2 * filter->order));
+  return kTimeConstants / slowest;
+}
+
+/// From a record's first sample on, as far as something is left.
+Index LastingSamples(const MeasuredHistory& history) {
+  const double lasting = (kLongest_s + RingingOf(history.filter)) * history.rate_Hz;
+  return std::min(history.first + history.count, static_cast<Index>(std::lround(lasting)));
+}
+
+/// Of one signal from the record's first sample on: what is left of it in the window.
 Eigen::VectorXd InWindow(const MeasuredHistory& history, Eigen::VectorXd all) {
   if (const auto& filter = history.filter)
     LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz)
         .Apply({all.data(), static_cast<std::size_t>(all.size())});
-  return WithoutMean(all.tail(history.count));
+  return all.tail(std::max<Index>(0, all.size() - history.first));
+}
+
+/// Columns of a mode: what its real and imaginary part show of it.
+Index ColumnsOf(const FreeMode& mode) { return mode.eigenvalue.imag() != 0 ? 2 : 1; }
+
+/// A mode in one signal, from the record's first sample on.
+Eigen::VectorXcd Decaying(const MeasuredHistory& history, const FreeMode& mode, Index signal) {
+  const auto longest = static_cast<Index>(std::lround(kLongest_s * history.rate_Hz));
+  const std::complex<double> step = std::exp(mode.eigenvalue / history.rate_Hz);
+  Eigen::VectorXcd all = Eigen::VectorXcd::Zero(LastingSamples(history));
+  std::complex<double> now = mode.readings[signal];
+  for (Index k = 0; k < std::min(longest, all.size()); ++k, now *= step) all[k] = now;
+  return all;
 }
 
 }  // namespace
 
-Eigen::MatrixXd FreeMotions(const MeasuredHistory& history, const CondensedModel& model) {
+Eigen::MatrixXd FreeMotion::Rows(Index signal, Index count, Index stride) const {
+  const Eigen::MatrixXd& held = first[static_cast<std::size_t>(signal)];
+  Eigen::MatrixXd rows(count, held.cols());
+  for (Index k = 0; k < count; ++k) rows.row(k) = k * stride < held.rows() ? held.row(k * stride) : later.row(signal);
+  return rows;
+}
+
+FreeMotion FreeMotionOf(const MeasuredHistory& history, const CondensedModel& model) {
   const std::vector<FreeMode> modes = ModesOf(history, model);
   const auto signals = static_cast<Index>(history.signals.size());
-  const Index samples = history.first + history.count;
-  const Index lasting = std::min(samples, static_cast<Index>(std::lround(kLongest_s * history.rate_Hz)));
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(history.count * signals, 2 * static_cast<Index>(modes.size()));
-  Index column = 0;
-  for (const FreeMode& mode : modes) {
-    const std::complex<double> step = std::exp(mode.eigenvalue / history.rate_Hz);
-    for (Index s = 0; s < signals; ++s) {
-      Eigen::VectorXcd all = Eigen::VectorXcd::Zero(samples);
-      std::complex<double> now = mode.readings[s];
-      for (Index k = 0; k < lasting; ++k, now *= step) all[k] = now;
-      motions.col(column).segment(s * history.count, history.count) = InWindow(history, all.real());
-      if (mode.eigenvalue.imag() != 0)
-        motions.col(column + 1).segment(s * history.count, history.count) = InWindow(history, all.imag());
+  Index columns = 0;
+  for (const FreeMode& mode : modes) columns += ColumnsOf(mode);
+  const Index held = std::max<Index>(0, LastingSamples(history) - history.first);
+  FreeMotion motion = {.first = std::vector<Eigen::MatrixXd>(history.signals.size(), Eigen::MatrixXd(held, columns)),
+                       .later = Eigen::MatrixXd(signals, columns)};
+  for (Index s = 0; s < signals; ++s) {
+    Eigen::MatrixXd& first = motion.first[static_cast<std::size_t>(s)];
+    Index column = 0;
+    for (const FreeMode& mode : modes) {
+      const Eigen::VectorXcd all = Decaying(history, mode, s);
+      first.col(column) = InWindow(history, all.real());
+      if (ColumnsOf(mode) == 2) first.col(column + 1) = InWindow(history, all.imag());
+      column += ColumnsOf(mode);
     }
-    column += mode.eigenvalue.imag() != 0 ? 2 : 1;
+    motion.later.row(s) = -first.colwise().sum() / static_cast<double>(history.count);
+    first.rowwise() += motion.later.row(s);
   }
-  return motions.leftCols(column);
+  return motion;
 }
 
 void AddStart(const MeasuredHistory& history, const CondensedModel& model, const Eigen::VectorXd& weights, Index stride,
               Eigen::MatrixXd& modelled) {
   // Of normalised columns: motions that no signal tells apart share what there is.
   constexpr double kRidge = 1e-9;
-  const Eigen::MatrixXd motions = FreeMotions(history, model);
-  const Index count = motions.cols();
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+  const FreeMotion motion = FreeMotionOf(history, model);
+  const Index columns = motion.later.cols();
+  const Index held = motion.first.empty() ? 0 : motion.first.front().rows();
   const Index rows = (history.count + stride - 1) / stride;
+  const Index first_rows = std::min(rows, (held + stride - 1) / stride);
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(columns);
   for (Index s = 0; s < modelled.cols(); ++s) {
-    const auto strided = Eigen::seqN(s * history.count, rows, stride);
-    const Eigen::MatrixXd part = motions(strided, Eigen::all);
+    const Eigen::MatrixXd part = motion.Rows(s, first_rows, stride);
     const Eigen::VectorXd missing =
         (history.signals[static_cast<std::size_t>(s)].values - modelled.col(s))(Eigen::seqN(0, rows, stride));
-    normal += weights[s] * part.transpose() * part;
-    right += weights[s] * part.transpose() * missing;
+    const Eigen::VectorXd later = motion.later.row(s).transpose();
+    normal += weights[s] * (part.transpose() * part);
+    normal += weights[s] * static_cast<double>(rows - first_rows) * later * later.transpose();
+    right += weights[s] * (part.transpose() * missing.head(first_rows) + missing.tail(rows - first_rows).sum() * later);
   }
   const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });
   Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
   scaled.diagonal().array() += kRidge;
   const Eigen::VectorXd start = scale.cwiseProduct(Solved(scaled, Eigen::VectorXd(scale.cwiseProduct(right))));
-  modelled += (motions * start).reshaped(history.count, modelled.cols());
+  for (Index s = 0; s < modelled.cols(); ++s) {
+    modelled.col(s).head(held) += motion.first[static_cast<std::size_t>(s)] * start;
+    modelled.col(s).tail(history.count - held).array() += motion.later.row(s).dot(start);
+  }
 }
 
 }  // namespace fourpost

@@ -43,5 +43,43 @@ TEST(StartState, OfARecordingThatBeginsInMotionIsFound) {
   EXPECT_LT(worst(HistoryCost::kWhitened), 0.1 * worst(HistoryCost::kCompromise));
 }
 
+/// A minute at 200 Hz, filtered, whose window begins after 1 s.
+MeasuredHistory LongHistory(const Vehicle& vehicle, Eigen::Index first) {
+  MeasuredHistory history{
+      .name = "long", .rate_Hz = 200, .filter = LowPassDesign{.order = 4, .cutoff_Hz = 10}, .first = first};
+  history.count = 12000 - first;
+  for (std::size_t i = 0; i < vehicle.sensors.size(); ++i) history.signals.push_back({.sensor = i});
+  return history;
+}
+
+// Signals have no mean, and what is cut off is no more than rounding.
+TEST(StartState, OfALongRecordingIsFollowedUntilNothingIsLeft) {
+  const Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const MeasuredHistory history = LongHistory(vehicle, 200);
+  const FreeMotion motion = FreeMotionOf(history, model);
+  ASSERT_GT(motion.later.cols(), 2);
+  for (Eigen::Index s = 0; s < motion.later.rows(); ++s) {
+    const Eigen::MatrixXd& first = motion.first[static_cast<std::size_t>(s)];
+    const Eigen::MatrixXd all = motion.Rows(s, history.count, 1);
+    EXPECT_LT(first.rows(), history.count / 4);
+    for (Eigen::Index c = 0; c < all.cols(); ++c) {
+      const double size = all.col(c).cwiseAbs().maxCoeff();
+      EXPECT_NEAR(all.col(c).mean(), 0, 1e-12 * size);
+      EXPECT_NEAR(first(first.rows() - 1, c), motion.later(s, c), 1e-9 * size);
+    }
+    EXPECT_EQ(motion.Rows(s, 100, 7).row(99), all.row(693));
+  }
+}
+
+// Of a window that begins when it has gone nothing is left.
+TEST(StartState, IsGoneInALateWindow) {
+  const Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const FreeMotion motion = FreeMotionOf(LongHistory(vehicle, 6000), model);
+  for (const Eigen::MatrixXd& first : motion.first) EXPECT_EQ(first.rows(), 0);
+  EXPECT_EQ(motion.later.cwiseAbs().maxCoeff(), 0);
+}
+
 }  // namespace
 }  // namespace fourpost
