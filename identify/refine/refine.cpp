@@ -101,6 +101,8 @@ class ResidualFunction : public ceres::CostFunction {
   const Eigen::VectorXd& residuals() const { return here_.residuals; }
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
   const Eigen::VectorXd& x() const { return here_.x; }
+  // Where the latest Jacobian holds.
+  const Eigen::VectorXd& linearised_x() const { return linearised_->x; }
   // Why a step from the point of the Jacobian was refused; empty when none was.
   const std::string& failure() const { return failure_; }
 
@@ -134,22 +136,25 @@ class ResidualFunction : public ceres::CostFunction {
   mutable double full_gain_ = std::numeric_limits<double>::infinity();
 };
 
-/// Ends a run after an iteration: by `stop`, because the optimum is as near as it has to be, or because the run heads
-/// for too high a cost.
+/// Ends a run after an iteration: by `stop`, because the optimum is as near as it has to be or known, or because the
+/// run heads for too high a cost.
 class EndOfRun : public ceres::IterationCallback {
  public:
-  EndOfRun(const std::function<bool()>& stop, const RefineOptions& options, const ResidualFunction& function)
-      : stop_(stop), options_(options), function_(function) {}
+  EndOfRun(const std::function<bool()>& stop, const RefineOptions& options, const KnownOptima& known,
+           const ResidualFunction& function)
+      : stop_(stop), options_(options), known_(known), function_(function) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (stop_ && stop_()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    is_near_ = IsNear(iteration);
-    gave_up_ = !is_near_ && HeadsTooHigh(iteration);
-    return is_near_ || gave_up_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    if (IsNear(iteration)) end_ = RefineEnd::kConverged;
+    else if ((met_ = Met(iteration))) end_ = RefineEnd::kKnown;
+    else if (HeadsTooHigh(iteration)) end_ = RefineEnd::kGivenUp;
+    return end_ == RefineEnd::kNotRun ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
 
-  bool is_near() const { return is_near_; }
-  bool gave_up() const { return gave_up_; }
+  /// kNotRun where the optimiser ended it.
+  RefineEnd end() const { return end_; }
+  std::optional<std::size_t> met() const { return met_; }
 
  private:
   /// The square of the way to the optimum in standard deviations, of which no variable's own way is longer, is what the
@@ -161,6 +166,15 @@ class EndOfRun : public ceres::IterationCallback {
     if (iteration.iteration > 0 && iteration.step_is_successful)
       short_steps_ = 2 * iteration.cost_change < small ? short_steps_ + 1 : 0;
     return function_.full_gain() < small || short_steps_ == 2;
+  }
+
+  std::optional<std::size_t> Met(const ceres::IterationSummary& iteration) const {
+    // Ceres halves costs.
+    return known_.MetBy({.x = function_.linearised_x(),
+                         .cost = 2 * iteration.cost,
+                         .full_gain = function_.full_gain(),
+                         .freedom = function_.freedom()},
+                        options_.agreement);
   }
 
   bool HeadsTooHigh(const ceres::IterationSummary& iteration) {
@@ -178,11 +192,12 @@ class EndOfRun : public ceres::IterationCallback {
 
   const std::function<bool()>& stop_;
   const RefineOptions& options_;
+  const KnownOptima& known_;
   const ResidualFunction& function_;
   double last_gain_ = 0;
   int short_steps_ = 0;
-  bool is_near_ = false;
-  bool gave_up_ = false;
+  std::optional<std::size_t> met_;
+  RefineEnd end_ = RefineEnd::kNotRun;
 };
 
 // Ceres reports refused steps as warnings on stderr, where they would break up a progress line.
@@ -212,8 +227,7 @@ ceres::Solver::Options SolverOptions(const RefineOptions& options) {
 
 // Steps refused until they are too short to count are no convergence.
 RefineEnd EndOf(ceres::TerminationType type, bool refused, const EndOfRun& end) {
-  if (end.is_near()) return RefineEnd::kConverged;
-  if (end.gave_up()) return RefineEnd::kGivenUp;
+  if (end.end() != RefineEnd::kNotRun) return end.end();
   switch (type) {
     case ceres::CONVERGENCE: return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
     case ceres::NO_CONVERGENCE: return RefineEnd::kIterations;
@@ -268,6 +282,7 @@ std::string_view RefineEndName(RefineEnd end) {
     case RefineEnd::kFailed: return "ended by failed evaluations";
     case RefineEnd::kStopped: return "stopped by the user";
     case RefineEnd::kGivenUp: return "given up";
+    case RefineEnd::kKnown: return "met an optimum of another start";
   }
   return "unknown";
 }
@@ -276,16 +291,17 @@ namespace {
 
 // From `here`, which it moves to the optimum.
 RefineResult Descend(Archive& archive, const FitVariables& variables, const RefineOptions& options,
-                     const std::function<bool()>& stop, Residuals& here) {
+                     const std::function<bool()>& stop, const KnownOptima& known, Residuals& here) {
   RefineResult result;
   ResidualFunction function(archive, variables, options, here.x, here.residuals);
   Eigen::VectorXd x = here.x;
-  EndOfRun end(stop, options, function);
+  EndOfRun end(stop, options, known, function);
   const ceres::Solver::Summary summary = Solve(function, variables, options, end, x);
   result.end = EndOf(summary.termination_type, !function.failure().empty(), end);
+  result.met = end.met();
   const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();
   result.message = refused ? function.failure() : summary.message;
-  if (end.is_near())
+  if (end.end() == RefineEnd::kConverged)
     result.message =
         "No parameter is further than " + FormatNumber(options.nearness) + " standard deviations from its optimum.";
   result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
@@ -324,7 +340,7 @@ std::optional<RobustLoss> Leading(const RefineOptions& options, const Eigen::Vec
 }  // namespace
 
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
-                    const std::function<bool()>& stop) {
+                    const std::function<bool()>& stop, const KnownOptima& known) {
   options.Validate();
   const FitVariables variables(archive.lattice());
   const std::int64_t paid_before = archive.counts().paid;
@@ -342,26 +358,55 @@ RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const Refine
     lead.loss = *leading;
     lead.cost_tolerance = std::max(lead.cost_tolerance, kLeadingTolerance);
     Residuals led = here;
-    rest.max_iterations -= Descend(archive, variables, lead, stop, led).iterations;
+    rest.max_iterations -= Descend(archive, variables, lead, stop, {}, led).iterations;
     if (options.loss.Cost(led.residuals) < options.loss.Cost(here.residuals)) here = led;
   }
-  RefineResult result = Descend(archive, variables, rest, stop, here);
+  RefineResult result = Descend(archive, variables, rest, stop, known, here);
   result.start_cost = options.loss.Cost(first.residuals);
   result.iterations += options.max_iterations - rest.max_iterations;
   result.evaluations = archive.counts().paid - paid_before;
   return result;
 }
 
+namespace {
+
+/// Earlier runs that went all the way, and their places among all.
+struct EndedRuns {
+  KnownOptima known;
+  std::vector<std::size_t> places;
+
+  void Add(const RefineResult& run, std::size_t place, const FitVariables& variables, const RobustLoss& loss) {
+    if (run.end != RefineEnd::kConverged || run.jacobian.size() == 0) return;
+    const Eigen::MatrixXd weighted = loss.Weights(run.residuals).asDiagonal() * run.jacobian;
+    known.Add({.x = variables.FromValues(run.values), .cost = run.cost, .normal = run.jacobian.transpose() * weighted});
+    places.push_back(place);
+  }
+};
+
+/// To the optimum that it met.
+void GoOnTo(const RefineResult& optimum, RefineResult& run) {
+  run.values = optimum.values;
+  run.cost = optimum.cost;
+  run.residuals = optimum.residuals;
+  run.jacobian = optimum.jacobian;
+}
+
+}  // namespace
+
 MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts, const RefineOptions& options,
                             const std::function<bool()>& stop) {
+  const FitVariables variables(archive.lattice());
   MultiStartResult result;
+  EndedRuns earlier;
   double highest_start = 0;
   for (const Eigen::VectorXd& start : starts) {
     if (stop && stop()) break;
-    result.runs.push_back(Refine(archive, start, options, stop));
-    const RefineResult& run = result.runs.back();
+    result.runs.push_back(Refine(archive, start, options, stop, earlier.known));
+    RefineResult& run = result.runs.back();
+    if (run.met) GoOnTo(result.runs[earlier.places[*run.met]], run);
     result.ended += run.has_ended();
     if (!run.has_cost()) continue;
+    earlier.Add(run, result.runs.size() - 1, variables, options.loss);
     highest_start = std::max(highest_start, run.start_cost);
     const bool wins = result.best < 0 || run.cost < result.runs[static_cast<std::size_t>(result.best)].cost;
     if (wins) result.best = static_cast<int>(result.runs.size()) - 1;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "identify/refine/difference_jacobian.h"
+#include "identify/refine/known_optima.h"
 #include "identify/refine/robust_loss.h"
 #include "identify/search/archive.h"
 
@@ -65,6 +67,8 @@ enum class RefineEnd {
   kStopped,
   /// See RefineOptions::give_up_above.
   kGivenUp,
+  /// See KnownOptima::MetBy().
+  kKnown,
 };
 
 /// "converged", ...
@@ -86,6 +90,8 @@ struct RefineResult {
   int iterations = 0;
   /// New evaluations, those for differences included.
   std::int64_t evaluations = 0;
+  /// Of the known optima the one that it met.
+  std::optional<std::size_t> met;
   /// Of several that ended: with the best, itself included, see RefineOptions::agreement.
   bool agrees = false;
 
@@ -99,9 +105,10 @@ struct RefineResult {
 /// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in
 /// parallel; the precision of the lattice plays no part. Variables held at a bound by the cost stay out of the steps of
 /// the others. A step whose evaluation fails is refused and a shorter one tried. `stop` is asked after each iteration.
-/// Throws std::invalid_argument for a start out of bounds.
+/// Where it meets one of the `known` optima it ends, short of it. Throws std::invalid_argument for a start out of
+/// bounds.
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options = {},
-                    const std::function<bool()>& stop = {});
+                    const std::function<bool()>& stop = {}, const KnownOptima& known = {});
 
 /// The outcome of refinements from several starts.
 struct MultiStartResult {
@@ -116,7 +123,8 @@ struct MultiStartResult {
   int agreeing = 0;
 };
 
-/// Refines from each start in turn; the best wins. After `stop` the rest of the starts is left out.
+/// Refines from each start in turn; the best wins. One that meets an earlier optimum ends there, with that one's
+/// values. After `stop` the rest of the starts is left out.
 MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts,
                             const RefineOptions& options = {}, const std::function<bool()>& stop = {});
 

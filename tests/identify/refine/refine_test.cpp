@@ -207,11 +207,46 @@ TEST(Refine, FindsTheSameBoundedOptimumFromAnywhere) {
   Archive archive(StationProblem(0, 20));
   const MultiStartResult result = RefineFrom(archive, RandomStarts(archive.lattice(), 30));
   EXPECT_EQ(result.agreeing, 30);
+  EXPECT_EQ(result.runs.front().end, RefineEnd::kConverged);
   for (const RefineResult& run : result.runs) {
-    EXPECT_EQ(run.end, RefineEnd::kConverged);
+    EXPECT_TRUE(run.end == RefineEnd::kConverged || run.end == RefineEnd::kKnown);
     EXPECT_EQ(run.values[1], 20);
   }
   EXPECT_LT(archive.counts().paid, 30 * 120);
+}
+
+// All others turn back before they come to where the first has been, at less than its price.
+TEST(Refine, EndsWhereItMeetsAKnownOptimum) {
+  Archive archive(StationProblem(1));
+  const MultiStartResult result = RefineFrom(archive, RandomStarts(archive.lattice(), 10));
+  EXPECT_EQ(result.agreeing, 10);
+  const RefineResult& first = result.runs.front();
+  std::int64_t alone = 0;
+  for (std::size_t i = 1; i < result.runs.size(); ++i) {
+    const RefineResult& run = result.runs[i];
+    EXPECT_EQ(run.end, RefineEnd::kKnown);
+    EXPECT_EQ(run.met, 0u);
+    EXPECT_EQ(run.values, first.values);
+    Archive own(StationProblem(1));
+    alone += Refine(own, RandomStarts(own.lattice(), 10)[i]).evaluations;
+  }
+  EXPECT_LT(archive.counts().paid - first.evaluations, alone);
+}
+
+// Closed form: one residual of slope 2 and 4 degrees of freedom, so that the unit of chi-square is 1.
+TEST(KnownOptima, AreMetNearThemAndAtTheirHeight) {
+  KnownOptima known;
+  known.Add({.x = Eigen::VectorXd::Constant(1, 10), .cost = 4, .normal = Eigen::MatrixXd::Constant(1, 1, 4)});
+  const auto met = [&](double x, double cost, double gain) {
+    const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, x);
+    return known.MetBy({.x = at, .cost = cost, .full_gain = gain, .freedom = 4}, 0.1).has_value();
+  };
+  EXPECT_TRUE(met(11, 8, 4));
+  EXPECT_TRUE(met(11.49, 12.9, 8.9));
+  EXPECT_FALSE(met(11.51, 12.9, 8.9));  // more than three deviations of 0.5
+  EXPECT_FALSE(met(11, 8, 4.2));        // it goes lower
+  EXPECT_FALSE(met(11, 8, 3.8));        // or another way
+  EXPECT_FALSE(met(10, 3.9, 0));        // it is better
 }
 
 TEST(Refine, FindsTheSameOptimumFromAnywhere) {
@@ -399,11 +434,12 @@ TEST(Refine, GoesOnWhereAllThatIsLeftCanBeExplained) {
 
 TEST(Refine, EndsHaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
-  for (const RefineEnd end : {RefineEnd::kNotRun, RefineEnd::kConverged, RefineEnd::kIterations,
-                              RefineEnd::kStartFailed, RefineEnd::kFailed, RefineEnd::kStopped, RefineEnd::kGivenUp}) {
+  for (const RefineEnd end :
+       {RefineEnd::kNotRun, RefineEnd::kConverged, RefineEnd::kIterations, RefineEnd::kStartFailed, RefineEnd::kFailed,
+        RefineEnd::kStopped, RefineEnd::kGivenUp, RefineEnd::kKnown}) {
     names.insert(RefineEndName(end));
   }
-  EXPECT_EQ(names.size(), 7u);
+  EXPECT_EQ(names.size(), 8u);
   EXPECT_FALSE(names.contains("unknown"));
 }
 
