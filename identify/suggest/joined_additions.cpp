@@ -1,7 +1,6 @@
 #include "identify/suggest/joined_additions.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace fourpost {
@@ -46,7 +45,7 @@ class Joiner {
     constexpr int kMostRounds = 30;
     for (int round = 0; round < kMostRounds && taken_.size() < kMost; ++round) {
       const std::optional<Index> next = Next();
-      if (!next || !(Worth(*next, taken_) < 0)) break;
+      if (!next) break;
       taken_.push_back(*next);
       while (Exchange()) continue;
     }
@@ -82,17 +81,15 @@ class Joiner {
     return change_(Left(others).squaredNorm(), Left(With(others, k)), static_cast<std::size_t>(k));
   }
 
-  /// That lowers the squares most, of the things that are not taken; nothing where none of them is finite.
+  /// By which the criterion falls most, of the things that are not taken; nothing where it falls by none.
   std::optional<Index> Next() const {
     std::optional<Index> best;
-    double least = std::numeric_limits<double>::infinity();
+    double least = 0;
     for (Index k = 0; k < changes_.cols(); ++k) {
       if (std::any_of(taken_.begin(), taken_.end(), [&](Index one) { return ThingOf(one) == ThingOf(k); })) continue;
-      const Set tried = With(taken_, k);
-      const Eigen::VectorXd shares = Shares(gram_(tried, tried), pull_(tried));
-      const double squares = shares.dot(gram_(tried, tried) * shares) + 2 * shares.dot(pull_(tried));
-      if (!(squares < least)) continue;
-      least = squares;
+      const double worth = Worth(k, taken_);
+      if (!(worth < least)) continue;
+      least = worth;
       best = k;
     }
     return best;

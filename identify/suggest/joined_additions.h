@@ -26,9 +26,9 @@ struct OfferedAddition {
   std::size_t thing = 0;
 };
 
-/// Stepwise selection: takes what lowers the squares most for as long as the criterion falls, at most six, and after
-/// each puts alternatives in the place of others, or leaves these out, where the criterion falls by that: what came
-/// first may have imitated what came after it. `before`: N weighted residuals. Shares lie within 0 and 2: what an
+/// Stepwise selection: takes what lowers the criterion most for as long as it falls, at most six, and after each puts
+/// alternatives in the place of others, or leaves these out, where the criterion falls by that: what came first may
+/// have imitated what came after it. `before`: N weighted residuals. Shares lie within 0 and 2: what an
 /// addition is beyond twice its size alone, its residuals to first order do not say. `change(squares before, left,
 /// place)`: of the criterion.
 JoinedAdditions JoinAdditions(const Eigen::VectorXd& before, const std::vector<OfferedAddition>& offered,

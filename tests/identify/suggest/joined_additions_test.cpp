@@ -55,6 +55,18 @@ TEST(JoinedAdditions, LeavesOutWhatDoesNotPay) {
   EXPECT_THAT(joined.places, testing::ElementsAre(0u));
 }
 
+// The one of many numbers explains more, but not as much more as its numbers cost.
+TEST(JoinedAdditions, TakesWhatPaysThoughAnotherExplainsMore) {
+  const VectorXd a = Wave(1);
+  const VectorXd b = Wave(7);
+  const VectorXd before = 3 * a + 2.5 * b + Wave(23);
+  const auto change = [](double squares, const VectorXd& left, std::size_t place) {
+    return 200 * std::log(left.squaredNorm() / squares) + (place == 0 ? 200 : 5);
+  };
+  const JoinedAdditions joined = JoinAdditions(before, Offered({LeftAlone(before, a), LeftAlone(before, b)}), change);
+  EXPECT_THAT(joined.places, testing::ElementsAre(1u));
+}
+
 // Alone the imitation explains 3/4, each of the two things that are missing half; beside both it explains nothing.
 TEST(JoinedAdditions, LeavesOutWhatImitatedOthersOnceTheseAreTaken) {
   const VectorXd a = Wave(1);
