@@ -40,6 +40,8 @@ std::string StateOf(const FitRequest& request) {
   for (const std::string& part : {context.vehicle, context.data, context.settings, context.version}) state.Add(part);
   state.Add(study->vehicle.text);
   state.Add(study->study.text);
+  // They decide which steps are kept.
+  for (const FileDigest& file : study->validation_files) state.Add(file.sha256);
   for (const std::string& value : request.set) state.Add(value);
   state.Add(request.seed ? std::to_string(*request.seed) : "of the study");
   state.Add(std::string(request.accept_unidentified ? "unidentified" : "") +
@@ -129,6 +131,8 @@ class Grower {
     request.output = request_.output / step.folder / "fit";
     request.profile.clear();
     request.name_missing = false;
+    // Of a step that is stopped nothing is kept: the user waits for what was reached.
+    request.only_whole = !step.IsOfStudy();
     grown_.fit = FitStudy(request, hooks_);
     if (!grown_.fit.is_written || grown_.fit.fit.end == FitEnd::kInterrupted) return false;
     step.cost = grown_.fit.fit.cost;

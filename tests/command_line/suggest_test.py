@@ -3,6 +3,7 @@ import csv
 import json
 import math
 import random
+import re
 import signal
 import statistics
 import subprocess
@@ -201,6 +202,19 @@ class Suggest(ProgramTest):
         self.assertEqual((self.folder / "grown/result.json").read_text(), text)
         # Of another study it begins anew.
         self.replace_in("study.yaml", "seed: 1", "seed: 2")
+        first = next(line for line in self.start_program(*words).stderr if line.startswith(("step", "growth")))
+        self.assertEqual(first, "step 0 of at most 12: the study as it stands\n")
+
+    def test_growth_begins_anew_with_other_validation_data(self):
+        """They decide which steps are kept."""
+        self.record(FRICTION)
+        name = re.search(r"file: (\S+)", (self.folder / "study.yaml").read_text()).group(1).rstrip(",}")
+        self.write("kept.csv", (self.folder / name).read_text())
+        self.replace_in("study.yaml", "recordings:\n",
+                        "recordings:\n  - {name: kept, file: kept.csv, posts: heave, use: validation}\n")
+        self.grow()
+        words = "fit", "study.yaml", "-o", "grown", "--threads", "1", "--accept-implausible", "--grow"
+        self.write("kept.csv", (self.folder / name).read_text() + "\n")
         first = next(line for line in self.start_program(*words).stderr if line.startswith(("step", "growth")))
         self.assertEqual(first, "step 0 of at most 12: the study as it stands\n")
 
