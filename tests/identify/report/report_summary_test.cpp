@@ -107,14 +107,14 @@ Json Poor(const std::string& name, double deg) {
 
 TEST(Summary, NamesLeftAndRightTogetherAndCountsTheRest) {
   Json result = Good();
-  result["channels"] = {Poor("a_body_FL", 30), Poor("a_body_FR", 31), Poor("a_axle_left", 26),
-                        Poor("a_axle_right", 25)};
+  result["channels"] = {Poor("a_body_FL", 50), Poor("a_body_FR", 51), Poor("a_axle_left", 46),
+                        Poor("a_axle_right", 45)};
   EXPECT_THAT(SummaryOf(result, Known()),
-              HasSubstr("Poor: <code>a_body_FL</code> and <code>FR</code> (3.0 dB, 31\u00b0) and "
-                        "<code>a_axle_left</code> and <code>right</code> (3.0 dB, 26\u00b0). "));
-  for (int i = 0; i < 6; ++i) result["channels"].push_back(Poor("z" + std::to_string(i), 21 + i * 0.1));
+              HasSubstr("Poor: <code>a_body_FL</code> and <code>FR</code> (3.0 dB, 51\u00b0) and "
+                        "<code>a_axle_left</code> and <code>right</code> (3.0 dB, 46\u00b0). "));
+  for (int i = 0; i < 6; ++i) result["channels"].push_back(Poor("z" + std::to_string(i), 31 + i));
   EXPECT_THAT(SummaryOf(result, Known()),
-              AllOf(HasSubstr("<code>z2</code> (3.0 dB, 21\u00b0) and 2 more. "), Not(HasSubstr("<code>z1</code>"))));
+              AllOf(HasSubstr("<code>z2</code> (3.0 dB, 33\u00b0) and 2 more. "), Not(HasSubstr("<code>z1</code>"))));
 }
 
 // A model that follows what it was fitted to and misses the rest lacks something.
