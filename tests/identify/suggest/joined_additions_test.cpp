@@ -61,7 +61,7 @@ TEST(JoinedAdditions, TakesWhatPaysThoughAnotherExplainsMore) {
   const VectorXd b = Wave(7);
   const VectorXd before = 3 * a + 2.5 * b + Wave(23);
   const auto change = [](double squares, const VectorXd& left, std::size_t place) {
-    return 200 * std::log(left.squaredNorm() / squares) + (place == 0 ? 200 : 5);
+    return 200 * std::log(left.squaredNorm() / squares) + (place == 0 ? 600 : 5);
   };
   const JoinedAdditions joined = JoinAdditions(before, Offered({LeftAlone(before, a), LeftAlone(before, b)}), change);
   EXPECT_THAT(joined.places, testing::ElementsAre(1u));
