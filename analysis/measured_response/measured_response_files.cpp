@@ -12,6 +12,7 @@
 #include "analysis/files/json_text.h"
 #include "analysis/files/universal/universal_writer.h"
 #include "analysis/signals/decibel.h"
+#include "analysis/text/counted.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
@@ -88,10 +89,6 @@ std::string Shares(const MeasuredResponses& measured, const MeasuredResponse& re
 
 std::string Percent(double share, int digits = 2) {
   return std::isfinite(share) ? Rounded(100 * share, digits) : "none";
-}
-
-std::string Counted(int count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string FoundText(const MeasuredResponses& measured) {

@@ -5,16 +5,12 @@
 #include <iomanip>
 #include <sstream>
 
+#include "analysis/text/counted.h"
 #include "analysis/text/enumeration.h"
 #include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {
-
-/// "1 setting", "7 settings"
-std::string Counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
 
 std::string ObjectiveWords(const ChoiceAnswer& answer) {
   std::vector<std::string> names;

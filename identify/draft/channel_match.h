@@ -41,8 +41,8 @@ struct SoughtChannel {
   Dimension dimension;
   /// Several channels are added up, as loads of two tyres; else their mean is taken.
   bool is_sum = false;
-  /// A channel whose name means another part of the vehicle is none of a post, wherever it is. Nothing else tells them
-  /// apart: posts have no responses to compare.
+  /// A channel whose name means another part of the vehicle is none of a post, wherever it is. By motion they
+  /// cannot be distinguished: posts have no responses to compare.
   bool is_post = false;
 };
 

@@ -12,6 +12,7 @@
 #include "analysis/report/picture_number.h"
 #include "analysis/report/report_document.h"
 #include "analysis/report/shown_number.h"
+#include "analysis/text/counted.h"
 #include "analysis/text/units.h"
 #include "identify/live/live_program.h"
 #include "identify/report/live_json.h"
@@ -29,11 +30,6 @@ using html::NumberCell;
 using html::TextCell;
 
 std::string Fact(const std::string& text) { return html::Element("span", "", html::Escaped(text)); }
-
-/// "1 post", "4 posts"
-std::string Counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
 
 std::string Header(const Vehicle& vehicle, const std::vector<std::string>& facts) {
   std::string html;
