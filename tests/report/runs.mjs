@@ -1,5 +1,6 @@
 // Runs of the program whose reports are tested, in a folder that is removed at the end.
-import { execFileSync } from 'node:child_process';
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -11,6 +12,12 @@ process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
 
 export function fourpost(...args) {
   return execFileSync(program, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+}
+
+/** A fit whose verdict is poor, with status 1, as its model is: the run's folder holds all the same. */
+export function poorlyFitted(study, folder) {
+  const { status } = spawnSync(program, ['fit', study, '-o', folder, '--no-suggest'], { stdio: 'ignore' });
+  assert.equal(status, 1);
 }
 
 /** Fits a study of studies/ and gives the run's folder. */

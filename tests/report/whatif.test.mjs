@@ -6,7 +6,7 @@ import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { launch, open, root } from './browser.mjs';
 import { coloured } from './canvas.mjs';
-import { fitted, fourpost, scratch } from './runs.mjs';
+import { fitted, fourpost, poorlyFitted, scratch } from './runs.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', 'live', name)).href);
 const { misfitOf, squaresOf } = await source('misfit.js');
@@ -162,7 +162,7 @@ describe('sliders', () => {
       .replaceAll('file: ', `file: ${join(root, 'studies', 'landrover110')}/`);
     const folder = join(scratch, 'full');
     writeFileSync(join(scratch, 'full.yaml'), short);
-    fourpost('fit', join(scratch, 'full.yaml'), '-o', folder, '--no-suggest');
+    poorlyFitted(join(scratch, 'full.yaml'), folder);
     for (const [file, name] of [[report, 'm_rear'], [join(folder, 'report.html'), 'm_body']]) {
       const page = await opened(file);
       await page.waitForTimeout(500);
