@@ -30,7 +30,8 @@ class FitLine {
     line_.Show(std::string(progress.stage) + ": " + Done(progress) + Rate(computed, seconds, "evaluations") +
                Best(progress.best_cost) + "; in all " + std::to_string(progress.paid) + " evaluations (" +
                std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
-               std::to_string(progress.restored) + " from the archive)");
+               std::to_string(progress.restored) + " from the archive)" +
+               (progress.coarse > 0 ? ", " + std::to_string(progress.coarse) + " coarse ones" : ""));
   }
 
  private:

@@ -14,6 +14,8 @@
 
 namespace fourpost {
 
+class KnownAnswers;
+
 /// The vehicle that is tested, and what its study says of it. The vehicle and the list must outlive it. To be used by
 /// one thread.
 class Subject {
@@ -39,6 +41,10 @@ class Subject {
   bool integrates() const { return integrates_; }
   void LeaveOutIntegration() { integrates_ = false; }
 
+  /// Of the vehicle at one set of values; null: nothing is remembered.
+  const std::shared_ptr<KnownAnswers>& known_answers() const { return known_answers_; }
+  void Remember(std::shared_ptr<KnownAnswers> answers) { known_answers_ = std::move(answers); }
+
   /// The equations in independent coordinates, made when first asked for. Throws FaultyInput when the vehicle cannot be
   /// assembled or held.
   const std::shared_ptr<const CondensedVehicle>& Condensed() const {
@@ -54,6 +60,7 @@ class Subject {
   bool integrates_ = true;
   Control control_;
   std::vector<Calibration> calibrations_;
+  std::shared_ptr<KnownAnswers> known_answers_;
   mutable std::shared_ptr<const CondensedVehicle> condensed_;
 };
 

@@ -11,6 +11,7 @@
 #include "identify/refine/derivative_check.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/search_method_list.h"
+#include "identify/refine/several_starts.h"
 #include "identify/uncertainty/derivative_noise.h"
 
 namespace fourpost {
@@ -107,6 +108,7 @@ std::vector<RefinedStart> Summarised(const std::vector<RefineResult>& runs, std:
                        .cost = run.has_cost() ? run.cost : kNone,
                        .iterations = run.iterations,
                        .evaluations = run.evaluations,
+                       .coarse_evaluations = run.coarse_evaluations,
                        .agrees = run.agrees,
                        .values = {run.values.begin(), run.values.end()}});
   }
@@ -148,6 +150,7 @@ class RunningFit {
         archive_(ProblemOf(objective, options), options.threads, store) {
     archive_.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
     archive_.TellProgress([this](std::int64_t of_batch) { Report(of_batch); });
+    if (coarse_objective_) coarse_.emplace(ProblemOf(*coarse_objective_, options), options.threads);
     result_.values = objective.vehicle().ParameterValues();
     result_.residual_count = objective.residual_count();
     result_.prior_count = objective.prior_count();
@@ -158,6 +161,7 @@ class RunningFit {
   FitResult Run() {
     if (Identify() && Search()) Conclude(Refine());
     result_.evaluations = archive_.counts();
+    if (coarse_) result_.coarse_evaluations = coarse_->counts().paid;
     return std::move(result_);
   }
 
@@ -175,6 +179,7 @@ class RunningFit {
                      .best_cost = archive_.best_cost(),
                      .paid = paid,
                      .in_stage = paid - paid_before_,
+                     .coarse = coarse_ ? coarse_->counts().paid : 0,
                      .profiled = result_.profiles.size(),
                      .reused = counts.reused,
                      .failed = counts.failed(),
@@ -227,7 +232,9 @@ class RunningFit {
     Begin("refine");
     const std::vector<Eigen::VectorXd> starts =
         options_.from ? std::vector{*options_.from} : Starts(result_.search, objective_, options_.starts);
-    MultiStartResult refined = RefineFrom(archive_, starts, options_.refine, report_and_ask_);
+    // From a fit it is not far.
+    Archive* const coarse = coarse_ && !options_.from ? &*coarse_ : nullptr;
+    MultiStartResult refined = RefineFrom(archive_, starts, options_.refine, report_and_ask_, coarse);
     result_.starts = refined.ended;
     result_.agreeing = refined.agreeing;
     result_.refined = Summarised(refined.runs, starts.size());
@@ -402,6 +409,9 @@ class RunningFit {
     return stop_();
   };
   Archive archive_;
+  /// They lead refinements; what they evaluate is not kept.
+  const std::optional<VehicleObjective> coarse_objective_ = objective_.Coarse();
+  std::optional<Archive> coarse_;
   FitResult result_;
   std::string_view stage_;
   std::int64_t paid_before_ = 0;

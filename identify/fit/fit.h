@@ -20,6 +20,8 @@ struct FitProgress {
   std::int64_t paid = 0;
   /// New evaluations of this stage.
   std::int64_t in_stage = 0;
+  /// Evaluations of coarse residuals, which lead refinements; not among the others.
+  std::int64_t coarse = 0;
   /// Of parameters to profile, those whose profiles are done.
   std::size_t profiled = 0;
   std::int64_t reused = 0;

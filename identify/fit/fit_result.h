@@ -78,6 +78,7 @@ struct RefinedStart {
   double cost = 0;
   int iterations = 0;
   std::int64_t evaluations = 0;
+  std::int64_t coarse_evaluations = 0;
   /// With the best, see RefineOptions::agreement.
   bool agrees = false;
   /// Of the free parameters, SI.
@@ -110,6 +111,8 @@ struct FitResult {
   std::vector<std::string> weakest;
   std::vector<Profile> profiles;
   EvaluationCounts evaluations;
+  /// Of coarse residuals, see ResidualBlock::coarse; not among `evaluations`.
+  std::int64_t coarse_evaluations = 0;
   /// For derivatives by parameters that are held, and with noise added to inputs; not among `evaluations`.
   std::int64_t evaluations_beside = 0;
   /// By how much FitVariables were moved from the optimum because recorded inputs have noise, see InputNoise; empty:

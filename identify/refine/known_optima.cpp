@@ -11,7 +11,7 @@ std::optional<std::size_t> KnownOptima::MetBy(const PointOnTheWay& point, double
     const double unit = known.cost / point.freedom;
     const Eigen::VectorXd way = point.x - known.x;
     const bool is_near = way.dot(known.normal * way) <= kDeviations * kDeviations * unit;
-    return is_near && point.cost >= known.cost &&
+    return is_near && point.cost >= known.cost - agreement * unit &&
            std::abs(point.cost - point.full_gain - known.cost) <= agreement * unit;
   });
   if (met == optima_.end()) return std::nullopt;

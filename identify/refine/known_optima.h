@@ -33,8 +33,8 @@ class KnownOptima {
  public:
   void Add(KnownOptimum optimum) { optima_.push_back(std::move(optimum)); }
 
-  /// The one of which the point lies within three standard deviations, no lower, and as low as which the cost would
-  /// fall, give or take `agreement` of chi-square (see RefineOptions::agreement).
+  /// The one of which the point lies within three standard deviations, and as low as which the cost would fall, give or
+  /// take `agreement` of chi-square (see RefineOptions::agreement), by which the point may be lower, too.
   std::optional<std::size_t> MetBy(const PointOnTheWay& point, double agreement) const;
 
  private:

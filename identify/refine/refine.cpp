@@ -255,13 +255,6 @@ ceres::Solver::Summary Solve(ResidualFunction& function, const FitVariables& var
   return summary;
 }
 
-/// See RefineOptions::agreement.
-bool Agrees(const RefineResult& run, const RefineResult& best, double zero, const RefineOptions& options) {
-  const auto freedom = static_cast<double>(std::max<Eigen::Index>(1, best.residuals.size() - best.values.size()));
-  const double share = std::max(options.agreement / freedom, 100 * options.cost_tolerance);
-  return run.cost <= zero || run.cost - best.cost <= share * best.cost;
-}
-
 }  // namespace
 
 void RefineOptions::Validate() const {
@@ -365,58 +358,6 @@ RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const Refine
   result.start_cost = options.loss.Cost(first.residuals);
   result.iterations += options.max_iterations - rest.max_iterations;
   result.evaluations = archive.counts().paid - paid_before;
-  return result;
-}
-
-namespace {
-
-/// Earlier runs that went all the way, and their places among all.
-struct EndedRuns {
-  KnownOptima known;
-  std::vector<std::size_t> places;
-
-  void Add(const RefineResult& run, std::size_t place, const FitVariables& variables, const RobustLoss& loss) {
-    if (run.end != RefineEnd::kConverged || run.jacobian.size() == 0) return;
-    const Eigen::MatrixXd weighted = loss.Weights(run.residuals).asDiagonal() * run.jacobian;
-    known.Add({.x = variables.FromValues(run.values), .cost = run.cost, .normal = run.jacobian.transpose() * weighted});
-    places.push_back(place);
-  }
-};
-
-/// To the optimum that it met.
-void GoOnTo(const RefineResult& optimum, RefineResult& run) {
-  run.values = optimum.values;
-  run.cost = optimum.cost;
-  run.residuals = optimum.residuals;
-  run.jacobian = optimum.jacobian;
-}
-
-}  // namespace
-
-MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts, const RefineOptions& options,
-                            const std::function<bool()>& stop) {
-  const FitVariables variables(archive.lattice());
-  MultiStartResult result;
-  EndedRuns earlier;
-  double highest_start = 0;
-  for (const Eigen::VectorXd& start : starts) {
-    if (stop && stop()) break;
-    result.runs.push_back(Refine(archive, start, options, stop, earlier.known));
-    RefineResult& run = result.runs.back();
-    if (run.met) GoOnTo(result.runs[earlier.places[*run.met]], run);
-    result.ended += run.has_ended();
-    if (!run.has_cost()) continue;
-    earlier.Add(run, result.runs.size() - 1, variables, options.loss);
-    highest_start = std::max(highest_start, run.start_cost);
-    const bool wins = result.best < 0 || run.cost < result.runs[static_cast<std::size_t>(result.best)].cost;
-    if (wins) result.best = static_cast<int>(result.runs.size()) - 1;
-  }
-  if (result.best < 0) return result;
-  const RefineResult& best = result.runs[static_cast<std::size_t>(result.best)];
-  for (RefineResult& run : result.runs) {
-    run.agrees = run.has_cost() && run.has_ended() && Agrees(run, best, 1e-12 * highest_start, options);
-    result.agreeing += run.agrees;
-  }
   return result;
 }
 

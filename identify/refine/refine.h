@@ -88,8 +88,9 @@ struct RefineResult {
   /// d residuals / d FitVariables at `values`; empty when it could not be evaluated.
   Eigen::MatrixXd jacobian;
   int iterations = 0;
-  /// New evaluations, those for differences included.
+  /// New evaluations, those for differences included; and those of coarse residuals that led there.
   std::int64_t evaluations = 0;
+  std::int64_t coarse_evaluations = 0;
   /// Of the known optima the one that it met.
   std::optional<std::size_t> met;
   /// Of several that ended: with the best, itself included, see RefineOptions::agreement.
@@ -109,23 +110,5 @@ struct RefineResult {
 /// bounds.
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options = {},
                     const std::function<bool()>& stop = {}, const KnownOptima& known = {});
-
-/// The outcome of refinements from several starts.
-struct MultiStartResult {
-  /// In the order of the starts.
-  std::vector<RefineResult> runs;
-  /// Run with the lowest cost; -1 when no start could be evaluated.
-  int best = -1;
-  /// Runs that ended by themselves.
-  int ended = 0;
-  /// Of these, runs that agree with the best in cost, itself included. Their values may still differ where the data do
-  /// not determine them.
-  int agreeing = 0;
-};
-
-/// Refines from each start in turn; the best wins. One that meets an earlier optimum ends there, with that one's
-/// values. After `stop` the rest of the starts is left out.
-MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts,
-                            const RefineOptions& options = {}, const std::function<bool()>& stop = {});
 
 }  // namespace fourpost

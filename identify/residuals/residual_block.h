@@ -54,6 +54,9 @@ struct ResidualBlock {
   /// Returns none where there is no noise; empty where inputs have none. Throws std::runtime_error where it cannot be
   /// found.
   std::function<std::vector<ResidualBlock>(const std::vector<double>& values)> with_input_noise = {};
+  /// Some of these residuals, for much less, with a minimum near that of all; null where there are no such. A
+  /// refinement may be led by them.
+  std::shared_ptr<const ResidualBlock> coarse = nullptr;
 };
 
 }  // namespace fourpost

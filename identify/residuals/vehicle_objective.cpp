@@ -47,6 +47,17 @@ Problem VehicleObjective::MakeProblem() const {
   return problem;
 }
 
+std::optional<VehicleObjective> VehicleObjective::Coarse() const {
+  std::vector<ResidualBlock> blocks;
+  bool is_coarser = false;
+  for (const ResidualBlock& block : blocks_) {
+    blocks.push_back(block.coarse ? *block.coarse : block);
+    is_coarser = is_coarser || block.coarse;
+  }
+  if (!is_coarser) return std::nullopt;
+  return VehicleObjective(vehicle_, free_, std::move(blocks), calibrations_);
+}
+
 Eigen::MatrixXd VehicleObjective::Jacobian(const Eigen::VectorXd& values) const {
   const std::vector<double> all = AllParameters(values);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(residual_count_, values.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,6 +28,10 @@ class VehicleObjective {
 
   /// d residuals / d values, N x n. To be called only where all blocks differentiate.
   Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values) const;
+
+  /// Of the blocks' coarse residuals, where there are some, for a refinement's way to the minimum; nothing where no block
+  /// has any.
+  std::optional<VehicleObjective> Coarse() const;
 
   /// The residuals of the priors alone, with which those of Evaluate() end.
   Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& values) const;

@@ -164,14 +164,20 @@ std::string SearchText(const FitResult& fit) {
          GainText("acceleration", search.accelerations) + GainText("migration", search.migrations) + '\n';
 }
 
+/// They led the refinements.
+std::string CoarseText(const FitResult& fit) {
+  if (fit.coarse_evaluations == 0) return "";
+  return ", and " + std::to_string(fit.coarse_evaluations) + " with a quarter of the frequencies";
+}
+
 /// "fit converged" only for one that explains the data.
 std::string Summary(const FitResult& fit, const FitVerdict& verdict) {
   const EvaluationCounts& counts = fit.evaluations;
   return (verdict.explains() ? "fit " : "search and refinement ") + std::string(FitEndName(fit.end)) + ": cost " +
          Rounded(fit.cost, 5) + LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) +
          " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) + " new evaluations, " +
-         std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) +
-         '\n' + SearchText(fit);
+         std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed" + CoarseText(fit) +
+         "; " + Agreement(fit) + '\n' + SearchText(fit);
 }
 
 /// "c_bump -15 %, k +11 %"

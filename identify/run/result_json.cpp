@@ -15,10 +15,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json Evaluations(const EvaluationCounts& counts) {
+Json Evaluations(const FitResult& fit) {
+  const EvaluationCounts& counts = fit.evaluations;
   Json causes = Json::object();
   for (const auto& [cause, tally] : counts.failures) causes[std::string(FailureName(cause))] = tally.count;
-  return {{"paid", counts.paid}, {"reused", counts.reused}, {"failed", counts.failed()}, {"failures", causes}};
+  return {{"paid", counts.paid},
+          {"reused", counts.reused},
+          {"failed", counts.failed()},
+          {"failures", causes},
+          {"coarse", fit.coarse_evaluations}};
 }
 
 Json Prior(const FittedParameter& parameter) {
@@ -235,6 +240,7 @@ Json Starts(const FitResult& fit) {
                     {"cost", NumberOrNull(run.cost)},
                     {"iterations", run.iterations},
                     {"evaluations", run.evaluations},
+                    {"coarse_evaluations", run.coarse_evaluations},
                     {"agrees", run.agrees},
                     {"values", run.values}});
   return {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}, {"runs", runs}};
@@ -299,7 +305,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"misfit", NumberOrNull(fit.Misfit())},
                {"post_noise_share", fit.InputNoiseShare()},
                {"seed", seed},
-               {"evaluations", Evaluations(fit.evaluations)},
+               {"evaluations", Evaluations(fit)},
                {"search", Search(fit)},
                {"refine", Refinement(fit.options.refine)},
                {"starts", Starts(fit)},

@@ -198,8 +198,7 @@ bool LoadedStudy::CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hook
   return true;
 }
 
-VehicleObjective LoadedStudy::MakeObjective() const {
-  const Subject subject = MakeSubject();
+VehicleObjective LoadedStudy::MakeObjective(const Subject& subject) const {
   std::vector<ResidualBlock> blocks;
   for (const Experiment& experiment : study.experiments)
     if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));

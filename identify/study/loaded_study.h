@@ -51,7 +51,9 @@ struct LoadedStudy {
   bool CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks);
 
   /// The misfit over all experiments. Throws FaultyInput when the vehicle cannot be assembled or held.
-  VehicleObjective MakeObjective() const;
+  VehicleObjective MakeObjective() const { return MakeObjective(MakeSubject()); }
+  /// Of a subject of this study.
+  VehicleObjective MakeObjective(const Subject& subject) const;
 
   /// The study, the vehicle, the files of its curves and every file of its experiments.
   std::vector<std::filesystem::path> InputFiles() const;

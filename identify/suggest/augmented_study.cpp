@@ -24,8 +24,9 @@ Vehicle WithValuesOf(const Vehicle& studied, Vehicle extended) {
   return extended;
 }
 
-AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& addition, bool integrates)
-    : study_(study), addition_(addition) {
+AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& addition, bool integrates,
+                               std::shared_ptr<KnownAnswers> answers)
+    : study_(study), addition_(addition), answers_(std::move(answers)) {
   if (addition.study) return;
   vehicle_ = study.vehicle;
   if (!addition.vehicle.empty()) {
@@ -126,7 +127,8 @@ std::optional<Eigen::VectorXd> AugmentedStudy::OfStudy(double amount, const Eige
   std::optional<Study> study = ReadStudyText(text, study_.study.file, findings);
   if (!study) return std::nullopt;
   LoadedStudy loaded{.study = *std::move(study), .vehicle = study_.vehicle, .free = study_.free};
-  const Subject subject = loaded.MakeSubject();
+  Subject subject = loaded.MakeSubject();
+  subject.Remember(answers_);
   auto fitted = study_.study.experiments.begin();
   for (Experiment& experiment : loaded.study.experiments) {
     experiment.LeaveOutValidation();
@@ -139,7 +141,7 @@ std::optional<Eigen::VectorXd> AugmentedStudy::OfStudy(double amount, const Eige
     return std::nullopt;
   }
   loaded.Prepare();
-  return Evaluated(loaded.MakeObjective(), values);
+  return Evaluated(loaded.MakeObjective(subject), values);
 }
 
 }  // namespace fourpost

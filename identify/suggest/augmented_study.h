@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "identify/experiments/known_answers.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/study/loaded_study.h"
@@ -25,8 +26,10 @@ Vehicle WithValuesOf(const Vehicle& studied, Vehicle extended);
 /// A study's objective with one addition in it. Both must outlive it.
 class AugmentedStudy {
  public:
-  /// `integrates`: see Subject. Throws FaultyInput where the vehicle cannot be read, assembled or held.
-  AugmentedStudy(const LoadedStudy& study, const Addition& addition, bool integrates);
+  /// `integrates`: see Subject. `answers`: of the study's vehicle, for additions to the study. Throws FaultyInput where
+  /// the vehicle cannot be read, assembled or held.
+  AugmentedStudy(const LoadedStudy& study, const Addition& addition, bool integrates,
+                 std::shared_ptr<KnownAnswers> answers = nullptr);
 
   /// Residuals; nothing where they cannot be evaluated. `values`: of the study's free parameters. Not from several
   /// threads at once.
@@ -64,6 +67,7 @@ class AugmentedStudy {
   const Addition& addition_;
   Vehicle vehicle_;
   std::vector<std::size_t> free_;
+  std::shared_ptr<KnownAnswers> answers_;
   std::shared_ptr<const CondensedVehicle> condensed_;
   std::optional<VehicleObjective> objective_;
   mutable std::string failure_;

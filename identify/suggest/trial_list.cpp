@@ -37,9 +37,10 @@ std::vector<Trial*> WithoutParts(const std::vector<Trial*>& list) {
 }
 
 /// Why the addition cannot be read; empty: it can.
-std::string ReadInto(Trial& trial, const LoadedStudy& study, bool integrates) {
+std::string ReadInto(Trial& trial, const LoadedStudy& study, bool integrates,
+                     const std::shared_ptr<KnownAnswers>& answers) {
   try {
-    trial.study = std::make_unique<AugmentedStudy>(study, trial.addition, integrates);
+    trial.study = std::make_unique<AugmentedStudy>(study, trial.addition, integrates, answers);
   } catch (const FaultyInput& fault) {
     return FirstErrorOf(fault.diagnostics());
   } catch (const SimulationError& error) {
@@ -63,12 +64,13 @@ TrialList::TrialList(const FittedStudy& study, int threads, const WorkHooks& hoo
 /// One after the other: libraries that read vehicles report faults in one place.
 void TrialList::Read() {
   const bool integrates = !BalancesAlone();
+  const auto answers = std::make_shared<KnownAnswers>(study_.objective().AllParameters(study_.values()));
   ++evaluations_;
   for (Trial& trial : trials_) {
     hooks_.Show("suggest: reading " + std::to_string(&trial - trials_.data() + 1) + " of " +
                 std::to_string(trials_.size()) + " additions");
     if (hooks_.IsStopped()) break;
-    trial.failure = ReadInto(trial, study_.study(), integrates);
+    trial.failure = ReadInto(trial, study_.study(), integrates, answers);
   }
 }
 

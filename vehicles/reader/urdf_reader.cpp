@@ -12,7 +12,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include "vehicles/reader/findings.h"
-#include "vehicles/shapes/mesh.h"
+#include "vehicles/shapes/sound_meshes.h"
 #include "vehicles/shapes/shape_error.h"
 #include "vehicles/tags/tag.h"
 
@@ -179,7 +179,7 @@ Found MeshFault(const std::filesystem::path& path, const std::string& filename) 
   if (failure) return {&kMeshUnknown, {filename, failure.message()}};
   if (!is_there) return {&kMeshMissing, {filename, path.string()}};
   try {
-    ReadMesh(path);
+    CheckMesh(path);
   } catch (const ShapeError& error) {
     return error.About("mesh '" + filename + "'");
   }

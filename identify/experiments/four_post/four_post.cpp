@@ -175,7 +175,7 @@ void FourPost::AddTo(Sha256& data, Sha256& settings) const {
 std::optional<ResidualBlock> FourPost::Residuals(const Subject& subject) const {
   if (runs.empty()) return std::nullopt;
   return FourPostResiduals(subject.Condensed(), RunsInBand(), plan.model_error, subject.calibrations(),
-                           subject.integrates());
+                           subject.integrates(), subject.known_answers());
 }
 
 bool FourPost::MeasuresForce() const {

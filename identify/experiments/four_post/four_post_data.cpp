@@ -348,23 +348,27 @@ std::vector<FrequencyResponse> InBand(const std::vector<FrequencyResponse>& mode
   return out;
 }
 
+MeasuredRun AtFrequencies(const MeasuredRun& run, const std::vector<bool>& keep) {
+  MeasuredRun part = run;
+  part.excitation.frequency_Hz = Kept(run.excitation.frequency_Hz, keep);
+  part.excitation.amplitude_m = Kept(run.excitation.amplitude_m, keep);
+  for (MeasuredChannel& channel : part.channels) {
+    channel.response = Kept(channel.response, keep);
+    channel.radial_sd = Kept(channel.radial_sd, keep);
+    channel.tangential_sd = Kept(channel.tangential_sd, keep);
+    if (!channel.mean.empty()) channel.mean = Kept(channel.mean, keep);
+    if (!channel.mean_sd.empty()) channel.mean_sd = Kept(channel.mean_sd, keep);
+    if (!channel.second_harmonic.empty()) channel.second_harmonic = Kept(channel.second_harmonic, keep);
+  }
+  return part;
+}
+
 std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz) {
   std::vector<MeasuredRun> out;
   for (const MeasuredRun& run : runs) {
     std::vector<bool> keep;
     for (const double f : run.excitation.frequency_Hz) keep.push_back(IsInBand(f, lower_Hz, upper_Hz));
-    MeasuredRun part = run;
-    part.excitation.frequency_Hz = Kept(run.excitation.frequency_Hz, keep);
-    part.excitation.amplitude_m = Kept(run.excitation.amplitude_m, keep);
-    for (MeasuredChannel& channel : part.channels) {
-      channel.response = Kept(channel.response, keep);
-      channel.radial_sd = Kept(channel.radial_sd, keep);
-      channel.tangential_sd = Kept(channel.tangential_sd, keep);
-      if (!channel.mean.empty()) channel.mean = Kept(channel.mean, keep);
-      if (!channel.mean_sd.empty()) channel.mean_sd = Kept(channel.mean_sd, keep);
-      if (!channel.second_harmonic.empty()) channel.second_harmonic = Kept(channel.second_harmonic, keep);
-    }
-    out.push_back(std::move(part));
+    out.push_back(AtFrequencies(run, keep));
   }
   return out;
 }

@@ -112,6 +112,9 @@ std::vector<MeasuredRun> LoadValidationRuns(const FourPostPlan& plan, const Vehi
 /// Whether a study's band holds a frequency: from its lower to its upper end, which hold those within 0.1 % of them.
 bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz);
 
+/// The run with only those of its frequencies that are to keep.
+MeasuredRun AtFrequencies(const MeasuredRun& run, const std::vector<bool>& keep);
+
 /// The runs with only the frequencies of the band.
 std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz);
 /// The same of what a model answers.

@@ -15,7 +15,7 @@
 #include "analysis/process/deadline.h"
 #include "analysis/process/thread_time.h"
 #include "analysis/signals/decibel.h"
-#include "analysis/text/number.h"
+#include "analysis/text/text_table.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/residuals/calibrated_sensor.h"
@@ -216,7 +216,7 @@ Eigen::MatrixXd Toward(const CondensedVehicle& vehicle, const std::vector<Measur
 
 Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
                     const ModelError& model_error, const std::vector<double>& values, const Deadline& deadline,
-                    bool integrates = true) {
+                    bool integrates = true, KnownAnswers* answers = nullptr) {
   const CondensedModel model = vehicle.At(values);
   Evaluation evaluation;
   evaluation.residuals.resize(count);
@@ -229,8 +229,10 @@ Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredR
     if (r > failed) return;
     const MeasuredRun& run = runs[r];
     const double began_s = ThreadTime_s();
-    const PeriodicResponse modelled =
-        ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, shared.Begin(), integrates);
+    const auto solve = [&] {
+      return ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, shared.Begin(), integrates);
+    };
+    const PeriodicResponse modelled = answers ? answers->Of(values, run.excitation, solve) : solve();
     shared.End(began_s);
     if (!modelled.unconverged_Hz.empty()) {
       unconverged_Hz[r] = modelled.unconverged_Hz[0];
@@ -312,8 +314,24 @@ Eigen::MatrixXd ByCalibrations(const CondensedVehicle& vehicle, const std::vecto
   return changes;
 }
 
+/// Every fourth frequency of each run; nothing where there are few.
+std::optional<std::vector<MeasuredRun>> Coarse(const std::vector<MeasuredRun>& runs) {
+  constexpr std::size_t kStep = 4;
+  // Two in an octave of the lower end, and a dozen in all, still draw the resonances of bodies and axles.
+  constexpr std::size_t kLeast = 12;
+  std::vector<MeasuredRun> coarse;
+  for (const MeasuredRun& run : runs) {
+    const std::size_t count = run.excitation.frequency_Hz.size();
+    if (count < kStep * kLeast) return std::nullopt;
+    std::vector<bool> keep(count);
+    for (std::size_t i = 0; i < count; i += kStep) keep[i] = true;
+    coarse.push_back(AtFrequencies(run, keep));
+  }
+  return coarse;
+}
+
 ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
-                      const ModelError& model_error, bool integrates) {
+                      const ModelError& model_error, bool integrates, std::shared_ptr<KnownAnswers> answers = nullptr) {
   const Eigen::Index count = CountOf(runs, model_error);
   ResidualStructure structure = StructureOf(vehicle->vehicle(), runs, model_error);
   // Integrated in time: to the tolerance of March(), without derivatives of the model's own.
@@ -332,8 +350,9 @@ ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vect
       // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
       .accuracy = kFitBalance.tolerance,
       .evaluate =
-          [vehicle, runs, count, model_error, integrates](const std::vector<double>& values, const Deadline& deadline) {
-            return Evaluate(*vehicle, runs, count, model_error, values, deadline, integrates);
+          [vehicle, runs, count, model_error, integrates, answers](const std::vector<double>& values,
+                                                                   const Deadline& deadline) {
+            return Evaluate(*vehicle, runs, count, model_error, values, deadline, integrates, answers.get());
           },
       .differentiate =
           [vehicle, runs, count, model_error](const std::vector<double>& values,
@@ -351,8 +370,10 @@ ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vect
 
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations,
-                                bool integrates) {
-  ResidualBlock block = BlockOf(vehicle, runs, model_error, integrates);
+                                bool integrates, std::shared_ptr<KnownAnswers> answers) {
+  ResidualBlock block = BlockOf(vehicle, runs, model_error, integrates, std::move(answers));
+  if (std::optional<std::vector<MeasuredRun>> coarse = Coarse(runs))
+    block.coarse = std::make_shared<const ResidualBlock>(BlockOf(vehicle, *std::move(coarse), model_error, integrates));
   if (!calibrations.empty())
     block.by_calibrations = [vehicle, runs, count = block.count, model_error,
                              calibrations](const std::vector<double>& values) {

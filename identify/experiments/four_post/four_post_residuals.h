@@ -5,6 +5,7 @@
 
 #include "analysis/signals/frequency_response.h"
 #include "identify/experiments/four_post/four_post_data.h"
+#include "identify/experiments/known_answers.h"
 #include "identify/residuals/residual_block.h"
 #include "identify/study_file/calibration.h"
 #include "vehicles/condensed/condensed_vehicle.h"
@@ -18,10 +19,11 @@ namespace fourpost {
 ///   error and of its floor;
 /// - mean strut offsets over the root of their variance plus the square of the model error of means: they alone
 ///   distinguish bump from rebound.
-/// `runs` hold only the frequencies to fit. `integrates`: see ModelledResponse().
+/// `runs` hold only the frequencies to fit. `integrates`: see ModelledResponse(). `answers`: of the same vehicle, at one
+/// set of values; null: nothing is remembered.
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations = {},
-                                bool integrates = true);
+                                bool integrates = true, std::shared_ptr<KnownAnswers> answers = nullptr);
 
 /// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
 /// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.

@@ -135,9 +135,9 @@ std::vector<Eigen::MatrixXd> AtStart(const Vehicle& vehicle, const HistoryResidu
 
 void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& stated, const Vehicle& vehicle,
                    const std::vector<double>& values, const HistoryResiduals& residuals,
-                   const std::vector<HistoryMisfit>& misfits, Diagnostics& diagnostics) {
+                   const std::vector<Eigen::MatrixXd>& modelled, const std::vector<HistoryMisfit>& misfits,
+                   Diagnostics& diagnostics) {
   const std::vector<MeasuredHistory>& histories = residuals.histories();
-  const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(values);
   const std::vector<Eigen::MatrixXd> at_start = AtStart(vehicle, residuals, modelled);
   const std::vector<HistoryMisfit> start = HistoryMisfits(histories, at_start);
   const RemediedErrors fitted_errors(histories, modelled);

@@ -13,9 +13,11 @@ namespace fourpost {
 /// vehicle; channels swapped, and posts that are not synchronised, at the values of the vehicle's file, which a fit may
 /// hide by its parameters; displacements and accelerations of one point that are not synchronised; and steps that are
 /// too long for the fitted values. One cause is reported once. `misfits`: of `residuals` at the fitted values.
-/// `study_file`, `stated`: where they stand; `values`: fitted ones, of all parameters.
+/// `study_file`, `stated`: where they stand; `values`: fitted ones, of all parameters; `modelled`: by the residuals at
+/// these.
 void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& stated, const Vehicle& vehicle,
                    const std::vector<double>& values, const HistoryResiduals& residuals,
-                   const std::vector<HistoryMisfit>& misfits, Diagnostics& diagnostics);
+                   const std::vector<Eigen::MatrixXd>& modelled, const std::vector<HistoryMisfit>& misfits,
+                   Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -30,16 +30,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Table and files; `name` of the files.
+/// Table and files; `name` of the files. `reduced`: by the residuals, whatever engine has modelled them.
 std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& vehicle,
                                 const HistoryResiduals& residuals, const std::vector<double>& values,
-                                const std::vector<Eigen::MatrixXd>& modelled, bool has_one_step,
-                                const std::string& name, std::string& text, ExperimentResults& results) {
+                                const std::vector<Eigen::MatrixXd>& modelled,
+                                const std::vector<Eigen::MatrixXd>& reduced, bool has_one_step, const std::string& name,
+                                std::string& text, ExperimentResults& results) {
   const HistoryPlan& plan = experiment.plan;
   const std::vector<MeasuredHistory>& histories = residuals.histories();
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
   if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
-  LintHistories(plan.file, plan.histories, vehicle, values, residuals, misfits, results.findings);
+  LintHistories(plan.file, plan.histories, vehicle, values, residuals, reduced, misfits, results.findings);
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
   AddYardsticks(YardstickRecords(experiment.fitted), YardstickRecords(histories), misfits);
   text += HistoryTable(misfits) + '\n';
@@ -144,6 +145,9 @@ struct Predictions {
   std::vector<MeasuredHistory> histories;
   std::vector<Eigen::MatrixXd> modelled;
   std::vector<HistoryEngine> by;
+  /// By the reduced model, which remarks and the motion shown are of, and its steps.
+  std::vector<Eigen::MatrixXd> reduced;
+  std::vector<double> steps_s;
 };
 
 /// Of those that the fitted vehicle can go through; a fit stands without the others.
@@ -153,12 +157,14 @@ Predictions PredictAll(const TimeHistories& experiment, const Subject& subject, 
   for (const MeasuredHistory& history : experiment.validation) {
     Diagnostics found;
     try {
-      // Remarks on it and the motion shown are the reduced model's.
-      HistoryResiduals(subject.Condensed(), {history}, {}).Modelled(fit.values);
+      const HistoryResiduals residuals(subject.Condensed(), {history}, {});
+      Eigen::MatrixXd reduced = residuals.Modelled(fit.values).front();
       EngineHistory answer = SimulateBy({.error = error}, history, subject.vehicle(), fit.values).value();
       out.histories.push_back(history);
       out.modelled.push_back(std::move(answer.modelled));
       out.by.push_back(std::move(answer.by));
+      out.reduced.push_back(std::move(reduced));
+      out.steps_s.push_back(residuals.Steps().front());
     } catch (const std::runtime_error& failure) {
       found.Report(kHistoryNotPredicted, {experiment.plan.file}, {history.name, failure.what()});
     }
@@ -172,10 +178,10 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
                    ExperimentResults& results, std::vector<RecordedHistory>& motions) {
   const Predictions predictions = PredictAll(experiment, subject, fit, error, results);
   if (predictions.histories.empty()) return;
-  const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {});
+  const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {.steps_s = predictions.steps_s});
   results.json["validation"] =
-      HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
-                              "validation", results.unseen_text, results));
+      HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled,
+                              predictions.reduced, false, "validation", results.unseen_text, results));
   for (std::size_t h = 0; h < predictions.by.size(); ++h)
     AddEngine(predictions.histories[h], false, predictions.by[h], error, results);
   AddReleases(subject.vehicle(), fit.values, residuals, results.unseen_text, results);
@@ -195,8 +201,8 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
     const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
     const std::vector<HistoryMisfit> misfits =
-        Show(*this, subject.vehicle(), residuals, fit.values, modelled, plan.cost == HistoryCost::kPrediction,
-             "history", results.text, results);
+        Show(*this, subject.vehicle(), residuals, fit.values, modelled, modelled,
+             plan.cost == HistoryCost::kPrediction, "history", results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
     results.json["history_discrepancy"] = DiscrepancyJson(HistoryDiscrepancies(fitted, modelled));

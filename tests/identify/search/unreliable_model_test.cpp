@@ -9,6 +9,7 @@
 
 #include "analysis/signals/mix_bits.h"
 #include "identify/refine/search_method_list.h"
+#include "identify/refine/several_starts.h"
 
 namespace fourpost {
 namespace {

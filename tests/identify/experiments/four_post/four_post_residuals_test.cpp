@@ -45,6 +45,34 @@ TEST(FourPostResiduals, IsZeroForTheVehicleThatMadeTheData) {
   EXPECT_LT(evaluation.residuals.cwiseAbs().maxCoeff(), 1e-9);  // rounding over standard deviations of 1e-2
 }
 
+// Every fourth frequency, with the residuals that it has among all.
+TEST(FourPostResiduals, HaveCoarseOnesAmongThem) {
+  const LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  const VehicleObjective objective = study.MakeObjective();
+  const std::optional<VehicleObjective> coarse = objective.Coarse();
+  ASSERT_TRUE(coarse);
+  const Eigen::VectorXd elsewhere = 1.1 * FreeValues(objective);
+  const Eigen::VectorXd all = objective.Evaluate(elsewhere).residuals;
+  const Eigen::VectorXd some = coarse->Evaluate(elsewhere).residuals;
+  EXPECT_LT(some.size(), all.size() / 3);
+  EXPECT_GT(some.size(), all.size() / 5);
+  const double scale = all.cwiseAbs().maxCoeff();
+  for (const double residual : some)
+    // A frequency's motion is solved from that of the one before: to the balance's tolerance of 1e-6.
+    EXPECT_LT((all.array() - residual).abs().minCoeff(), 1e-4 * scale);
+  EXPECT_FALSE(coarse->Coarse());
+}
+
+TEST(FourPostResiduals, HaveNoCoarseOnesAtFewFrequencies) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  for (MeasuredRun& run : Sines(study).runs) {
+    std::vector<bool> keep(run.excitation.frequency_Hz.size());
+    for (std::size_t i = 0; i < 47; ++i) keep[i] = true;
+    run = AtFrequencies(run, keep);
+  }
+  EXPECT_FALSE(study.MakeObjective().Coarse());
+}
+
 // A model error of one decibel, or five degrees, is worth one unit.
 TEST(FourPostResiduals, WeighsGainAndPhaseByTheModelError) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
