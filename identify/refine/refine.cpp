@@ -146,8 +146,8 @@ class EndOfRun : public ceres::IterationCallback {
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (stop_ && stop_()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    if (IsNear(iteration)) end_ = RefineEnd::kConverged;
-    else if ((met_ = Met(iteration))) end_ = RefineEnd::kKnown;
+    if ((met_ = Met(iteration))) end_ = RefineEnd::kKnown;
+    else if (IsNear(iteration)) end_ = RefineEnd::kConverged;
     else if (HeadsTooHigh(iteration)) end_ = RefineEnd::kGivenUp;
     return end_ == RefineEnd::kNotRun ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
