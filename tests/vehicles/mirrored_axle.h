@@ -12,7 +12,7 @@ inline const std::string kMirror = R"(<fp:mirror from="_left" to="_right"/>)";
 
 /// Lines of one corner of a double wishbone axle, and of the other: links turned by fixed joints, skewed axes, loops.
 inline const std::vector<std::pair<std::string, std::string>>& Corners() {
-  static const std::string mesh = std::string(FOURPOST_SOURCE_DIR) + "/meshes/wheel.obj";
+  static const std::string mesh = std::string(FOURPOST_SOURCE_DIR) + "/meshes/wheel.stl";
   static const std::vector<std::pair<std::string, std::string>> corners = {
       {R"(<link name="lower_left"><inertial><origin xyz="0.01 0.15 0.02" rpy="0.1 0.2 0.3"/><mass value="3"/>)"
        R"(<inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0.001" ixz="0.002" iyz="-0.003"/></inertial></link>)",

@@ -14,7 +14,7 @@ class ShapeError : public std::runtime_error {
   /// `words` follow the shape's name.
   explicit ShapeError(const Finding& kind, std::vector<std::string> words = {}, const std::string& shape = "the shape");
 
-  /// The same of a shape of another name, such as "mesh 'wheel.obj'".
+  /// The same of a shape of another name, such as "mesh 'wheel.stl'".
   Found About(const std::string& shape) const;
   const Finding& kind() const { return kind_; }
   const std::vector<std::string>& words() const { return words_; }

@@ -99,10 +99,10 @@ TEST(SceneJson, RefusesHistoriesOfAnotherVehicle) {
 
 TEST(SceneJson, NamesMeshesThatCannotBeRead) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
-  vehicle.links[1].visuals.front().mesh_file = "/nowhere/box.obj";
+  vehicle.links[1].visuals.front().mesh_file = "/nowhere/box.stl";
   const Json scene = SceneJson(vehicle, {});
   ASSERT_EQ(scene["missing"].size(), 1u);
-  EXPECT_THAT(scene["missing"][0].get<std::string>(), testing::StartsWith("box.obj: "));
+  EXPECT_THAT(scene["missing"][0].get<std::string>(), testing::StartsWith("box.stl: "));
 }
 
 }  // namespace

@@ -115,8 +115,8 @@ TEST_F(Resolved, NamesMeshesFromItsFolder) {
   const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / "quarter_car.urdf";
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
   const std::filesystem::path root = std::filesystem::weakly_canonical(FOURPOST_SOURCE_DIR);
-  EXPECT_THAT(ResolvedText(vehicle, root), HasSubstr(R"(filename="meshes/wheel.obj")"));
-  EXPECT_THAT(ResolvedText(vehicle, file.parent_path()), HasSubstr(R"(filename="../meshes/wheel.obj")"));
+  EXPECT_THAT(ResolvedText(vehicle, root), HasSubstr(R"(filename="meshes/wheel.stl")"));
+  EXPECT_THAT(ResolvedText(vehicle, file.parent_path()), HasSubstr(R"(filename="../meshes/wheel.stl")"));
 }
 
 TEST_F(Resolved, NeedsAVehicleThatWasRead) { EXPECT_THROW(ResolvedText(Vehicle(), folder_), std::invalid_argument); }

@@ -119,9 +119,9 @@ TEST_F(VehicleText, MovesMeshes) {
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
   const std::vector<double> values = vehicle.ParameterValues();
   const std::filesystem::path root = std::filesystem::weakly_canonical(FOURPOST_SOURCE_DIR);
-  EXPECT_THAT(VehicleTextWithValues(vehicle, values, root), HasSubstr(R"(filename="meshes/wheel.obj")"));
+  EXPECT_THAT(VehicleTextWithValues(vehicle, values, root), HasSubstr(R"(filename="meshes/wheel.stl")"));
   EXPECT_THAT(VehicleTextWithValues(vehicle, values, root / "build" / "a & b"),
-              HasSubstr(R"(filename="../../meshes/wheel.obj")"));
+              HasSubstr(R"(filename="../../meshes/wheel.stl")"));
   EXPECT_EQ(VehicleTextWithValues(vehicle, values, file.parent_path()), ReadText(file));
 }
 

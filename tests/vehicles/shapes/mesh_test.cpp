@@ -38,7 +38,7 @@ std::multiset<std::array<Corner, 3>> Triangles(const Mesh& mesh) {
 }
 
 TEST(Mesh, ReadsABox) {
-  const Mesh box = ReadMesh(kMeshes / "box.obj");
+  const Mesh box = ReadMesh(kMeshes / "box.stl");
   EXPECT_EQ(box.vertices.cols(), 8);
   EXPECT_EQ(box.triangles.cols(), 12);
   EXPECT_EQ(box.Bounds().min(), Eigen::Vector3d::Constant(-0.5));
@@ -59,7 +59,7 @@ TEST(Mesh, IsTheSameInAllFormats) {
 
 TEST(Mesh, OfTheProjectIsClosedAndOutward) {
   for (const auto& entry : std::filesystem::directory_iterator(kMeshes)) {
-    if (entry.path().extension() != ".obj") continue;
+    if (entry.path().extension() != ".stl") continue;
     EXPECT_NO_THROW(MeshSolid(ReadMesh(entry.path()))) << entry.path();
   }
 }
@@ -67,7 +67,7 @@ TEST(Mesh, OfTheProjectIsClosedAndOutward) {
 TEST(Mesh, WheelHasTheVolumeOfItsPrism) {
   // Area of a regular polygon of 32 corners on a circle of 0.385 m, times 0.2 m; the file has four decimals.
   const double area = 16 * 0.385 * 0.385 * std::sin(2 * std::numbers::pi / 32);
-  EXPECT_NEAR(MeshSolid(ReadMesh(kMeshes / "wheel.obj")).volume, 0.2 * area, 2 * std::numbers::pi * 0.385 * 0.2 * 1e-4);
+  EXPECT_NEAR(MeshSolid(ReadMesh(kMeshes / "wheel.stl")).volume, 0.2 * area, 2 * std::numbers::pi * 0.385 * 0.2 * 1e-4);
 }
 
 /// Meshes that are the block with one thing changed.
@@ -200,12 +200,12 @@ class MeshFile : public VehicleFileTest {
 };
 
 TEST_F(MeshFile, IsFoundBesideTheVehicleFile) {
-  Write(ReadText(kMeshes / "box.obj"), "cube.obj");
-  const std::optional<Vehicle> vehicle = Read(WithMesh(R"(filename="./cube.obj" scale="0.001 0.002 0.003")"));
+  Write(ReadText(kMeshes / "box.stl"), "cube.stl");
+  const std::optional<Vehicle> vehicle = Read(WithMesh(R"(filename="./cube.stl" scale="0.001 0.002 0.003")"));
   ASSERT_TRUE(vehicle.has_value());
   const Visual& visual = vehicle->links.at(2).visuals.at(0);
   EXPECT_EQ(visual.shape, Visual::Shape::kMesh);
-  EXPECT_EQ(visual.mesh_file, folder_ / "cube.obj");
+  EXPECT_EQ(visual.mesh_file, folder_ / "cube.stl");
   EXPECT_EQ(visual.size, Eigen::Vector3d(0.001, 0.002, 0.003));
 }
 
@@ -222,14 +222,14 @@ TEST_F(MeshFile, MustBeReadable) {
 }
 
 TEST_F(MeshFile, NeedsAScale) {
-  Write(ReadText(kMeshes / "box.obj"), "cube.obj");
-  EXPECT_FALSE(Read(WithMesh(R"(filename="cube.obj")")).has_value());
+  Write(ReadText(kMeshes / "box.stl"), "cube.stl");
+  EXPECT_FALSE(Read(WithMesh(R"(filename="cube.stl")")).has_value());
   Expect(16, kAttributeMissing, {"'scale'"});
 }
 
 TEST_F(MeshFile, MustNotBeAPackageAddress) {
-  EXPECT_FALSE(Read(WithMesh(R"(filename="package://fourpost/box.obj" scale="1 1 1")")).has_value());
-  Expect(16, kMeshAddress, {"package://fourpost/box.obj"});
+  EXPECT_FALSE(Read(WithMesh(R"(filename="package://fourpost/box.stl" scale="1 1 1")")).has_value());
+  Expect(16, kMeshAddress, {"package://fourpost/box.stl"});
 }
 
 TEST(Mesh, SaysWhyItCannotBeRead) {
