@@ -15,13 +15,19 @@
 namespace fourpost {
 namespace {
 
-/// The share of the signal's power that one tone at a time explains, in windows of two cycles; white noise does not
-/// count against it.
-double LoneShare(std::span<const double> signal, std::span<const TonePoint> track) {
+/// The share of the signal's power, of that in dwells where there are some, that one tone at a time explains, in
+/// windows of two cycles; white noise does not count against it.
+double LoneShare(std::span<const double> signal, std::span<const TonePoint> track, std::span<const Dwell> dwells) {
+  const auto is_inside = [&](const TonePoint& point) {
+    return dwells.empty() || std::any_of(dwells.begin(), dwells.end(), [&](const Dwell& dwell) {
+             return point.time >= dwell.start && point.time <= dwell.end;
+           });
+  };
   const std::vector<TonePoint> sharp = SharpTrack(signal, track);
   double tones = 0;
   double all = 0;
   for (std::size_t k = 1; k < sharp.size(); ++k) {
+    if (!is_inside(sharp[k])) continue;
     const double energy = sharp[k].amplitude * sharp[k].amplitude * (sharp[k].time - sharp[k - 1].time);
     tones += energy;
     if (sharp[k].share > 0) all += energy / sharp[k].share;
@@ -82,12 +88,12 @@ ExcitationKind KindOf(std::span<const double> post, std::span<const TonePoint> t
   constexpr double kMostInDwells = 0.5;
   constexpr double kTonal = 0.9;
   const std::optional<std::size_t> period = PeriodOf(post);
-  const bool is_lone = LoneShare(post, track) > kTonal;
-  if (period && HasTonesTogether(post, *period, is_lone)) return ExcitationKind::kMultisine;
   const double tonal = TonalShare(track);
-  if (is_lone && tonal > kMostInDwells && ShareInDwells(track, dwells) > kMostInDwells) return ExcitationKind::kStepped;
-  if (is_lone && tonal > kTonal) return ExcitationKind::kSweep;
-  return period ? ExcitationKind::kMultisine : ExcitationKind::kRandom;
+  const bool is_in_dwells = tonal > kMostInDwells && ShareInDwells(track, dwells) > kMostInDwells;
+  if (period && HasTonesTogether(post, *period, LoneShare(post, track, {}) > kTonal)) return ExcitationKind::kMultisine;
+  const ExcitationKind other = period ? ExcitationKind::kMultisine : ExcitationKind::kRandom;
+  if (is_in_dwells) return LoneShare(post, track, dwells) > kTonal ? ExcitationKind::kStepped : other;
+  return tonal > kTonal ? ExcitationKind::kSweep : other;
 }
 
 }  // namespace fourpost
