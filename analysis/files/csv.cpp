@@ -33,7 +33,7 @@ class CsvParser {
   std::optional<CsvTable> Parse(CsvHeader header) {
     if (text_fault_) Fault(0, text_fault_);
     else ReadNames();
-    if (good_ && header == CsvHeader::kNamesAndUnits) ReadUnits();
+    if (good_ && header == CsvHeader::kNamesAndUnits && table_.has_names_) ReadUnits();
     if (good_) CheckNames();
     // Without a header no row can be right.
     if (!good_) return std::nullopt;
@@ -65,6 +65,7 @@ class CsvParser {
     if (found && record_.fields[0].starts_with("sep=")) found = scanner_.Next(record_);
     if (!found) return Fault(0, {&kCsvEmpty});
     if (record_.fault) return Fault(record_.line, record_.fault);
+    if (IsRowWithoutNames(record_, scanner_)) return NameColumns();
     table_.names_ = record_.fields;
     table_.names_line_ = record_.line;
     names_are_marked_ = TakeMark(table_.names_.front());
@@ -74,6 +75,18 @@ class CsvParser {
     if (ends_with_comment_) return;
     const Found fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator, dialect_.separator);
     if (fault) Fault(table_.names_line_, fault);
+  }
+
+  /// By their numbers. The record is the first row.
+  void NameColumns() {
+    while (record_.fields.back().empty()) record_.fields.pop_back();
+    for (std::size_t column = 1; column <= record_.fields.size(); ++column)
+      table_.names_.push_back("column" + std::to_string(column));
+    table_.units_.resize(table_.columns());
+    table_.has_names_ = false;
+    table_.names_line_ = table_.units_line_ = record_.line;
+    diagnostics_.Report(kCsvWithoutNames, {table_.file_, record_.line}, {table_.names_.back()});
+    Keep();
   }
 
   /// Lines of names and units may be marked as comments. Whether it was.
@@ -137,7 +150,7 @@ class CsvParser {
   }
 
   void ReadUnits() {
-    if (!scanner_.Next(record_)) return Fault(0, {&kCsvNoUnits});
+    if (!scanner_.Next(record_)) return Fault(0, {&kCsvNoRows});
     if (!IsRowGood()) return;
     table_.units_line_ = record_.line;
     std::vector<std::string> fields = record_.fields;

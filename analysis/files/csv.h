@@ -22,6 +22,8 @@ class CsvTable {
   const std::vector<std::string>& names() const { return names_; }
   /// One per column, as written, empty where it has none; none without CsvHeader::kNamesAndUnits.
   const std::vector<std::string>& units() const { return units_; }
+  /// False where the file has none, and columns are called column1, column2 and so on.
+  bool has_names() const { return has_names_; }
   /// Lines of the names and of the units.
   int names_line() const { return names_line_; }
   int units_line() const { return units_line_; }
@@ -50,6 +52,7 @@ class CsvTable {
   std::string file_;
   std::vector<std::string> names_;
   std::vector<std::string> units_;
+  bool has_names_ = true;
   int names_line_ = 1;
   int units_line_ = 0;
   bool has_times_per_channel_ = false;
@@ -62,8 +65,9 @@ class CsvTable {
 /// Reads a table in text (RFC 4180) of the dialect that it shows: quoted fields, LF or CRLF, with or without byte order
 /// mark; blank lines, a first line such as "sep=;", other lines above the names, columns without a name and content,
 /// separators behind the last field and a '#' before the first name do not count. Names of times may repeat where each
-/// channel has its own before it. Reports all of: an unreadable or empty file, JSON, a column without or with another
-/// one's name, rows of another length than the header, faulty quotes. Nothing when there was one.
+/// channel has its own before it. Warns where a table begins with a row and has no names. Reports all of: an unreadable
+/// or empty file, JSON, a column without or with another one's name, rows of another length than the header, faulty
+/// quotes. Nothing when there was one.
 std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics,
                                 CsvHeader header = CsvHeader::kNames);
 

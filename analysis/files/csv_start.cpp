@@ -59,11 +59,11 @@ LineOfText LineOf(const CsvRecord& record, std::size_t at) {
   const auto first = std::find_if_not(fields.begin(), fields.end(), is_empty);
   line.is_row = first != fields.end() && IsMeasured(*first);
   line.is_header = std::none_of(fields.begin(), fields.end(), IsMeasured);
+  line.is_marked = !fields.empty() && IsMarked(fields.front());
   if (!line.is_header || fields.empty()) return line;
   const auto is_half = [&](auto is) {
     return 2 * std::count_if(fields.begin(), last.base(), is) >= last.base() - fields.begin();
   };
-  line.is_marked = IsMarked(fields.front());
   line.is_of_units = is_half(IsUnit);
   line.names_units = is_half(IsNameWithUnit);
   return line;
@@ -98,6 +98,8 @@ std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
     const auto is_header = [&](std::size_t k) {
       return lines[k].is_header && (lines[k].fields == columns || lines[k].fields == columns + 1);
     };
+    const auto is_comment = [](const LineOfText& line) { return line.is_marked; };
+    if (!is_header(i - 1) && std::all_of(lines.begin(), first, is_comment)) return TablePlace{columns, i, lines[i].at};
     if (!is_header(i - 1)) return std::nullopt;
     // Of two such lines the second is one of units, if the first is not about the table that it names.
     const auto is_about = [&](std::size_t k) {
@@ -109,7 +111,31 @@ std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
   return std::nullopt;
 }
 
+/// "0,1,2" and "1,2,3"
+bool CountsColumns(const std::vector<std::string>& fields) {
+  for (const std::size_t from : {0, 1}) {
+    std::size_t k = 0;
+    while (k < fields.size() && fields[k] == std::to_string(from + k)) ++k;
+    if (k == fields.size()) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+bool IsRowWithoutNames(const CsvRecord& first, CsvScanner below) {
+  if (first.fields.size() < 2 || !IsMeasured(first.fields.front()) || CountsColumns(first.fields)) return false;
+  CsvRecord record;
+  for (std::size_t row = 1; row < kFewestRows; ++row) {
+    if (!below.Next(record) || record.fields.size() != first.fields.size()) return false;
+    for (std::size_t k = 0; k < first.fields.size(); ++k) {
+      // Where nothing was measured a field is empty.
+      if (first.fields[k].empty() || record.fields[k].empty()) continue;
+      if (IsMeasured(first.fields[k]) != IsMeasured(record.fields[k])) return false;
+    }
+  }
+  return true;
+}
 
 std::optional<CsvStart> StartBelowLines(std::string_view text) {
   std::optional<TablePlace> widest;

@@ -48,8 +48,12 @@ inline const Finding kCsvColumnNameless{"csv-column-nameless", Severity::kError,
                                         "name it, or remove it"};
 inline const Finding kCsvColumnTwice{"csv-column-twice", Severity::kError,
                                      "column {} has the name '{}' of an earlier one", "rename one of them"};
-inline const Finding kCsvNoUnits{"csv-no-units", Severity::kError, "no row of units below the header",
-                                 "add a line with the unit of each column"};
+inline const Finding kCsvWithoutNames{
+    "csv-without-names", Severity::kWarning, "numbers from the first line on, so columns are called column1 to {}",
+    "write a line above them, as time [s],post_FL [mm],a_body [g], or of frequency responses "
+    "frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg; or state {channel: column2, unit: mm} in a study, "
+    "--post "
+    "column2=FL --unit column2=mm for `fourpost frf`"};
 inline const Finding kCsvNoRows{"csv-no-rows", Severity::kError, "no rows below the header",
                                 "add one row of numbers for each sample or frequency"};
 inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row has {}, the header {}",
@@ -133,7 +137,8 @@ inline const Finding kSteppedSineAsHistory{"stepped-sine-as-history", Severity::
 inline const Finding kSampleMissing{"sample-missing", Severity::kError, "column '{}' has {} {}",
                                     "fill the gap or cut the recording there"};
 inline const Finding kUnitMissing{"unit-missing", Severity::kError, "column '{}', {}, has no unit",
-                                  "write that of a {} {}, or name it in the study: {channel: {}, unit: {}}"};
+                                  "write that of a {} {}, or state it: {channel: {}, unit: {}} in a study, --unit for "
+                                  "`fourpost frf`"};
 inline const Finding kUnitOfOtherDimension{"unit-of-other-dimension", Severity::kError,
                                            "column '{}', {}, has the unit '{}'", "it needs that of a {}"};
 inline const Finding kTimeSwapped{"time-column-swapped", Severity::kError,
@@ -162,6 +167,9 @@ inline const Finding kTimeDrifts{"time-drifts", Severity::kError,
 
 // Stepped sines.
 
+inline const Finding kSteppedSineNameless{"stepped-sine-nameless", Severity::kError,
+                                          "frequency responses without names of columns",
+                                          "write frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg above them"};
 inline const Finding kComparisonAsRecording{"comparison-as-recording", Severity::kError,
                                             "a fit's result, in which measurement and model stand side by side ({})",
                                             "name a recording itself, as the `recordings` of a study do"};

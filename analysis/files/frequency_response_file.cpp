@@ -284,6 +284,10 @@ std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::pa
     return std::nullopt;
   }
   if (!table) return std::nullopt;
+  if (!table->has_names()) {
+    diagnostics.Report(kSteppedSineNameless, {table->file(), table->names_line()});
+    return std::nullopt;
+  }
   // Text files have a column for it.
   if (!amplitude_m && !table->FindColumn(kAmplitude) && table->names_line() == 0 && IsSteppedSine(*table)) {
     diagnostics.Report(kAmplitudeMissing, {table->file()});

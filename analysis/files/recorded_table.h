@@ -37,6 +37,8 @@ class RecordedTable {
   const std::string& unit(std::size_t column) const { return units_[column]; }
   /// Of a recording of a measurement system, else null.
   const RecordingColumns* recording() const { return recording_ ? &*recording_ : nullptr; }
+  /// False of text that names no columns; these are called column1 and so on.
+  bool has_names() const { return !csv_ || csv_->has_names(); }
   /// Lines of names, units and rows; 0 of files without lines.
   int names_line() const { return csv_ ? csv_->names_line() : 0; }
   int units_line() const { return csv_ ? csv_->units_line() : 0; }

@@ -14,30 +14,65 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of lags 0 to half the signal, over that of none; each divided by the samples it has.
+/// Of lags 0 to half the signal: the product of the parts that lie on each other, over the powers of both, so that a
+/// whole repeat has 1 whatever part of a period is at the ends.
 std::vector<double> Autocorrelation(std::span<const double> signal) {
   std::size_t size = 1;
   while (size < 2 * signal.size()) size *= 2;
   const double mean = Mean(signal);
   std::vector<double> padded(size, 0.0);
   std::transform(signal.begin(), signal.end(), padded.begin(), [mean](double value) { return value - mean; });
+  std::vector<double> energy(signal.size() + 1);
+  for (std::size_t k = 0; k < signal.size(); ++k) energy[k + 1] = energy[k] + padded[k] * padded[k];
   Eigen::FFT<double> transform;
   transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<Complex> spectrum;
   transform.fwd(spectrum, padded);
   for (Complex& line : spectrum) line = std::norm(line);
   transform.inv(padded, spectrum);
-  const double n = static_cast<double>(signal.size());
   std::vector<double> correlation(signal.size() / 2);
-  for (std::size_t lag = 0; lag < correlation.size(); ++lag)
-    correlation[lag] = padded[lag] / (n - static_cast<double>(lag)) / (padded[0] / n);
+  for (std::size_t lag = 0; lag < correlation.size(); ++lag) {
+    const double powers = energy[signal.size() - lag] * (energy.back() - energy[lag]);
+    correlation[lag] = powers > 0 ? padded[lag] / std::sqrt(powers) : 0;
+  }
   return correlation;
 }
 
-/// Place of a peak between samples, by the parabola through three of them.
-double PeakNear(const std::vector<double>& values, std::size_t peak) {
-  const double curvature = values[peak - 1] - 2 * values[peak] + values[peak + 1];
-  return static_cast<double>(peak) + 0.5 * (values[peak - 1] - values[peak + 1]) / curvature;
+/// Samples about a peak at which a fiftieth of it is lost, where it still is a parabola; one at least.
+std::size_t ReachOf(const std::vector<double>& values, std::size_t peak) {
+  constexpr double kLost = 0.02;
+  std::size_t reach = 1;
+  while (reach < peak && peak + reach + 1 < values.size() &&
+         values[peak - reach] + values[peak + reach] > 2 * (1 - kLost) * values[peak])
+    ++reach;
+  return reach;
+}
+
+/// A peak between samples, by the least-squares parabola through those in its reach.
+struct Peak {
+  double place = 0;
+  /// Second derivative, its sign turned.
+  double curvature = 0;
+};
+
+Peak PeakNear(const std::vector<double>& values, std::size_t peak, std::size_t reach) {
+  const std::size_t r = std::min({reach, peak, values.size() - 1 - peak});
+  double second = 0;
+  double fourth = 0;
+  double sum = 0;
+  double slope = 0;
+  double bend = 0;
+  for (std::size_t k = peak - r; k <= peak + r; ++k) {
+    const double off = static_cast<double>(k) - static_cast<double>(peak);
+    second += off * off;
+    fourth += off * off * off * off;
+    sum += values[k];
+    slope += off * values[k];
+    bend += off * off * values[k];
+  }
+  const double count = static_cast<double>(2 * r + 1);
+  const double curvature = -2 * (bend - second * sum / count) / (fourth - second * second / count);
+  return {static_cast<double>(peak) + slope / second / curvature, curvature};
 }
 
 /// Largest of the values within `reach` samples of `about`.
@@ -220,23 +255,38 @@ std::optional<std::size_t> PeriodOf(std::span<const double> signal, double kept)
   // The first decay belongs to the same period.
   std::size_t lag = 0;
   while (lag < correlation.size() && correlation[lag] > 0.5) ++lag;
-  const std::size_t most = signal.size() / 3;
-  std::size_t first = std::max(lag, kLeast);
-  while (first < most && correlation[first] < kept) ++first;
-  if (first + 2 >= most) return std::nullopt;
-  std::size_t peak = Largest(correlation, first, 2);
-  while (peak + 1 < most && correlation[peak + 1] > correlation[peak]) ++peak;
-  if (peak == 0 || peak + 1 >= correlation.size()) return std::nullopt;
+  const std::size_t first = std::max(lag, kLeast);
+  // Three periods may be all there is, and a peak needs neighbours.
+  const std::size_t last = std::min(signal.size() / 3, correlation.size() - 2);
+  if (first > last) return std::nullopt;
+  const auto begin = correlation.begin() + static_cast<std::ptrdiff_t>(first);
+  const double highest = *std::max_element(begin, correlation.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  if (highest < kept) return std::nullopt;
+  // What noise takes from a whole repeat, and the deviation of that: noise n of a share times the signal, over all
+  // samples. A strong line alone comes back earlier, but not as near.
+  const double lost = std::max(0.0, 1 - highest);
+  const double deviation = std::sqrt(2 * lost / static_cast<double>(signal.size()));
+  const double enough = std::max(kept, highest - lost - 4 * deviation);
+  std::size_t peak = first;
+  while (correlation[peak] < enough) ++peak;
+  while (peak < last && correlation[peak + 1] > correlation[peak]) ++peak;
+  const std::size_t reach = ReachOf(correlation, peak);
+  Peak found = PeakNear(correlation, peak, reach);
   // A late multiple gives the period more precisely.
-  double period = PeakNear(correlation, peak);
-  for (double multiple = 2; multiple * period < static_cast<double>(correlation.size() - 2); multiple *= 2) {
-    const std::size_t late = Largest(correlation, static_cast<std::size_t>(std::round(multiple * period)), 2);
+  double at = 1;
+  for (double multiple = 2; multiple * found.place / at < static_cast<double>(correlation.size() - 2); multiple *= 2) {
+    const std::size_t late = Largest(correlation, static_cast<std::size_t>(std::round(multiple * found.place / at)),
+                                     std::max<std::size_t>(2, reach));
     if (late + 1 >= correlation.size()) break;
-    period = PeakNear(correlation, late) / multiple;
+    found = PeakNear(correlation, late, reach);
+    at = multiple;
   }
+  const double period = found.place / at;
   const double whole = std::round(period);
   const double periods = std::floor(static_cast<double>(signal.size()) / period);
-  if (std::abs(period - whole) * periods > 0.1 * periods / std::sqrt(periods)) return std::nullopt;
+  // The slope of the correlation by noise, over the curvature, is what noise moves the peak by.
+  const double doubt = 3 * deviation / std::sqrt(std::max(1e-300, found.curvature)) / at;
+  if (std::abs(period - whole) > 0.1 / std::sqrt(periods) + doubt) return std::nullopt;
   return static_cast<std::size_t>(whole);
 }
 

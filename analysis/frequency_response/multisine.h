@@ -9,8 +9,9 @@
 namespace fourpost {
 
 /// The period of a signal that repeats itself, in samples, a whole number; three periods at least. The shortest lag,
-/// longer than 16 samples, at which the signal's autocorrelation comes back to `kept` of what it is at none. Nothing
-/// where there is none, or where it is not a whole number of samples within a tenth of a sample over the record.
+/// longer than 16 samples, at which the signal's autocorrelation comes as near to what it is at none as anywhere,
+/// within what noise takes from it, and to `kept` of it at least. Nothing where there is none, or where it is not a
+/// whole number of samples within a tenth of a sample over the record and what noise moves the peak by.
 std::optional<std::size_t> PeriodOf(std::span<const double> signal, double kept = 0.9);
 
 /// A channel's response at the excited lines.

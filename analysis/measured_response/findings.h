@@ -7,8 +7,20 @@ namespace fourpost {
 
 inline const Finding kResponsePostsUnknown{
     "response-posts-unknown", Severity::kError,
-    "no channel is known to be a post's displacement; channels of a length are {}",
-    "name those of the posts: --post CHANNEL=FL, or 'post_channels' in a study"};
+    "no channel is known to be a post's displacement; channels of a length are {}{}",
+    "name those of the posts: --post CHANNEL=FL, or 'post_channels' in a study; and where the file has no units --unit "
+    "CHANNEL=mm"};
+inline const Finding kResponsePostsWithoutUnit{
+    "response-posts-without-unit", Severity::kError, "channels of posts have no unit: {}",
+    "state it: --unit '{}=mm', or 'post_channels: {{}: {channel: {}, unit: mm}}' in a study"};
+inline const Finding kResponsePostUnit{
+    "response-post-unit", Severity::kError, "channel '{}' of post '{}' has {}",
+    "state it: --unit '{}=mm', or 'post_channels: {{}: {channel: {}, unit: mm}}' in a study"};
+inline const Finding kResponsePostSize{"response-post-size", Severity::kError,
+                                       "channel '{}' moves by {} mm, which no post of a rig for vehicles does",
+                                       "state its unit: --unit '{}={}'"};
+inline const Finding kResponseUnitOfNone{"response-unit-of-none", Severity::kError, "no channel '{}'{}",
+                                         "correct the name in --unit"};
 inline const Finding kResponsePostMissing{"response-post-missing", Severity::kError,
                                           "no channel '{}' of a length for post '{}'{}", "name that of the post"};
 inline const Finding kResponsePostTwice{
@@ -22,7 +34,8 @@ inline const Finding kResponseReferenceUnknown{"response-reference-unknown", Sev
 inline const Finding kResponseNoChannel{"response-no-channel", Severity::kError,
                                         "no channel beside the posts has numbers in a unit of a length, force, "
                                         "acceleration or angular velocity",
-                                        "write the unit of each channel below or behind its name"};
+                                        "write the unit of each channel below or behind its name, or state it: --unit "
+                                        "CHANNEL=g"};
 inline const Finding kResponseChannelsDiffer{"response-channels-differ", Severity::kError,
                                              "channel '{}' is not in {}, which is evaluated together with this file",
                                              "evaluate files with the same channels"};
@@ -80,10 +93,14 @@ inline const Finding kResponseMultisineNonlinear{
     "to fit a model of dampers and friction record stepped sines, whose responses belong to an amplitude"};
 inline const Finding kResponseUnitUnknown{"response-unit-unknown", Severity::kWarning,
                                           "channels are left out, as their units are not known: {}",
-                                          "write a unit such as mm, kN or m/s^2 below or behind each name"};
+                                          "write a unit such as mm, kN or m/s^2 below or behind each name, or state "
+                                          "it: --unit CHANNEL=mm"};
 inline const Finding kResponseLikePost{"response-like-post", Severity::kWarning,
                                        "'{}' moves as the posts do at every frequency, as if it were another of them",
                                        "name each post: --post {}=NAME"};
+inline const Finding kResponsePostMisspelt{"response-post-misspelt", Severity::kError,
+                                           "'{}' moves as the posts do and is nearly called '{}'",
+                                           "correct the name, or state all posts: {}"};
 inline const Finding kResponseChannelSilent{"response-channel-silent", Severity::kWarning,
                                             "channel '{}' does not move and is left out", "check its cable"};
 }  // namespace fourpost

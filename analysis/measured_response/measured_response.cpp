@@ -108,6 +108,7 @@ class ResponseMaker {
     if (work_.names.empty()) {
       work_.out.kind = looked.kind;
       work_.out.posts = recording.posts;
+      work_.out.post_channels = recording.post_channels;
       work_.out.rate_Hz = recording.rate_Hz;
       work_.out.left_out = recording.left_out;
       work_.out.unit_unknown = recording.unit_unknown;
@@ -134,7 +135,10 @@ class ResponseMaker {
     const FrequencyResponse& response = work_.out.responses.front().response;
     if (response.frequency_Hz.front() > kBelow_Hz || response.frequency_Hz.back() < kBeyond_Hz) return;
     for (const ChannelResponse& channel : response.channels)
-      if (channel.unit == "m" && IsConstant(channel)) work_.out.like_posts.push_back(channel.name);
+      if (channel.unit == "m" && IsConstant(channel)) {
+        work_.out.like_posts.push_back(channel.name);
+        work_.out.nearly_posts.push_back(NearlyPost(channel.name, work_.out.post_channels));
+      }
   }
 
   static bool IsConstant(const ChannelResponse& channel) {

@@ -72,6 +72,8 @@ struct MeasuredResponse {
 struct MeasuredResponses {
   ExcitationKind kind = ExcitationKind::kStepped;
   std::vector<std::string> posts;
+  /// Of the first file.
+  std::vector<std::string> post_channels;
   double rate_Hz = 0;
   double duration_s = 0;
   /// Stepped sines.
@@ -97,6 +99,9 @@ struct MeasuredResponses {
   std::vector<std::string> preparations = {};
   /// Channels that move as the posts do at every frequency, up to their sign.
   std::vector<std::string> like_posts;
+  /// Of each of these the name that a post beside the others would have and that it nearly has, as 'post_RR' of
+  /// 'psot_RR'; empty: none.
+  std::vector<std::string> nearly_posts = {};
 };
 
 /// "stepped sine", "sweep", "random motion", "multisine"

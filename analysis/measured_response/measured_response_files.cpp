@@ -135,6 +135,31 @@ TextTable TableOf(const MeasuredResponses& measured, const MeasuredResponse& res
   return table;
 }
 
+/// Of each channel the mean offset that is largest beside its standard deviation; empty without means.
+std::string MeansText(const MeasuredResponse& response) {
+  TextTable table({"channel", "unit", "mean offset", "sd", "at Hz"});
+  bool has_rows = false;
+  for (const ChannelResponse& channel : response.response.channels) {
+    std::size_t most = 0;
+    const auto size = [&](std::size_t i) {
+      return std::abs(channel.mean[i]) / std::max(1e-300, channel.mean_sd.empty() ? 1 : channel.mean_sd[i]);
+    };
+    for (std::size_t i = 1; i < channel.mean.size(); ++i)
+      if (size(i) > size(most)) most = i;
+    if (channel.mean.empty()) continue;
+    has_rows = true;
+    const bool is_length = channel.unit == "m";
+    const double scale = is_length ? 1e3 : 1;
+    table.Add({channel.name, is_length ? "mm" : channel.unit, Rounded(scale * channel.mean[most], 3),
+               channel.mean_sd.empty() ? "none" : Rounded(scale * channel.mean_sd[most], 2),
+               Rounded(response.response.frequency_Hz[most], 3)});
+  }
+  return has_rows ? "mean offsets relative to rest, each where it is surest; of all frequencies in columns 'mean' and "
+                    "'mean_sd' of " +
+                        response.name + ".csv, which -o writes\n" + table.Format()
+                  : "";
+}
+
 std::string ResponseText(const MeasuredResponses& measured, const MeasuredResponse& response) {
   const FrequencyResponse& values = response.response;
   const auto [least, most] = std::minmax_element(values.amplitude_m.begin(), values.amplitude_m.end());
@@ -153,7 +178,7 @@ std::string ResponseText(const MeasuredResponses& measured, const MeasuredRespon
     if (*all > 1)
       text += ", " + std::to_string(*fewest) + (*fewest == *all ? "" : " to " + std::to_string(*all)) + " dwells each";
   }
-  return text + '\n' + TableOf(measured, response).Format();
+  return text + '\n' + TableOf(measured, response).Format() + MeansText(response);
 }
 
 Json Numbers(const std::vector<double>& values) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "analysis/signals/median.h"
@@ -18,17 +19,68 @@ struct Band {
 
 bool IsTone(const TonePoint& point) { return point.share > 0.5; }
 
+/// Whether noise alone would not explain as much of a window's variance. Hann's window over three cycles has as many
+/// independent samples as 1 / 1.5 of its own; without a mean, a sine and a cosine, n are left, and white noise of n
+/// degrees of freedom exceeds a share s as often as (1 - s)^(n / 2). There are some thousand windows in a record.
+bool IsClear(const TonePoint& point) {
+  constexpr double kEvidence = 20;
+  const double samples = 3 / point.cycles_per_sample;
+  const double left = samples / 1.5 - 3;
+  return IsTone(point) && -0.5 * left * std::log(std::max(1 - point.share, 1e-12)) > kEvidence;
+}
+
+/// Clear tones that follow each other: frequencies of a sweep. Two points may be unclear between them.
+std::vector<std::vector<double>> ChainsOf(std::span<const TonePoint> sweep) {
+  // That of the tones that are looked for.
+  constexpr double kStep = 1.189207115;
+  constexpr std::size_t kUnclear = 2;
+  std::vector<std::vector<double>> chains;
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < sweep.size(); ++k) {
+    if (!IsClear(sweep[k])) continue;
+    const double ratio = chains.empty() ? 0 : sweep[k].cycles_per_sample / chains.back().back();
+    if (chains.empty() || k - last > kUnclear + 1 || ratio > kStep || ratio < 1 / kStep) chains.emplace_back();
+    chains.back().push_back(sweep[k].cycles_per_sample);
+    last = k;
+  }
+  return chains;
+}
+
+/// Least and greatest frequency in cycles per sample; of five neighbours the middle one counts, as a few may be off.
+Band BandOf(const std::vector<double>& chain) {
+  constexpr std::size_t kNear = 5;
+  if (chain.size() < kNear) return {};
+  Band band{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t k = 0; k + kNear <= chain.size(); ++k) {
+    const auto first = chain.begin() + static_cast<std::ptrdiff_t>(k);
+    const double middle = Median(std::vector<double>(first, first + kNear));
+    band.lower_Hz = std::min(band.lower_Hz, middle);
+    band.upper_Hz = std::max(band.upper_Hz, middle);
+  }
+  return band;
+}
+
+/// Of the chains that cover as many octaves as half of the widest: a hum beside the sweep covers next to none.
 Band SweptBand(std::span<const TonePoint> sweep, double rate_Hz, double duration_s) {
   constexpr double kFewestPeriods = 60;
-  std::vector<double> frequencies;
-  for (const TonePoint& point : sweep)
-    if (IsTone(point)) frequencies.push_back(point.cycles_per_sample * rate_Hz);
-  if (frequencies.size() < 4) return {};
-  std::sort(frequencies.begin(), frequencies.end());
-  // A few points may be off.
-  const std::size_t cut = frequencies.size() / 100;
-  return {std::max(1.2 * frequencies[cut], kFewestPeriods / duration_s),
-          0.95 * frequencies[frequencies.size() - 1 - cut]};
+  constexpr double kAsWide = 0.5;
+  std::vector<Band> bands;
+  double widest = 0;
+  const auto width = [](const Band& band) { return std::log(band.upper_Hz / band.lower_Hz); };
+  for (const std::vector<double>& chain : ChainsOf(sweep)) {
+    const Band band = BandOf(chain);
+    if (!(band.lower_Hz > 0)) continue;
+    bands.push_back(band);
+    widest = std::max(widest, width(band));
+  }
+  if (!(widest > 0)) return {};
+  Band all{std::numeric_limits<double>::infinity(), 0};
+  for (const Band& band : bands) {
+    if (width(band) < kAsWide * widest) continue;
+    all.lower_Hz = std::min(all.lower_Hz, band.lower_Hz);
+    all.upper_Hz = std::max(all.upper_Hz, band.upper_Hz);
+  }
+  return {std::max(1.2 * all.lower_Hz * rate_Hz, kFewestPeriods / duration_s), 0.95 * all.upper_Hz * rate_Hz};
 }
 
 Band RandomBand(std::span<const double> motion, double rate_Hz) {

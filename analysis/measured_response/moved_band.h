@@ -15,7 +15,8 @@ namespace fourpost {
 std::vector<double> MovedFrequencies(std::span<const double> motion, double rate_Hz);
 
 /// Of a sweep: from above its lowest to below its highest frequency, next to which it cannot be separated from the
-/// run-in and run-out, as far as the record has 60 periods.
+/// run-in and run-out, as far as the record has 60 periods. These are of tones that noise would not bring forth and
+/// that follow each other, so that neither rest before and behind the sweep counts nor a hum.
 std::vector<double> SweptFrequencies(std::span<const TonePoint> sweep, double rate_Hz, double duration_s);
 
 /// Amplitude of a sweep as it passes a frequency: the median over the points within 5 % of it, or of the nearest.

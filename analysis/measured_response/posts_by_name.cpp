@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/text/name_meaning.h"
+#include "analysis/text/nearest.h"
 
 namespace fourpost {
 namespace {
@@ -193,6 +194,24 @@ std::string NamedPosts::InWords() const {
   if (!commands.empty()) text += "; commands are left out: ";
   for (const std::string& command : commands) text += (&command == &commands.front() ? "'" : ", '") + command + "'";
   return text + "; where this is wrong, state `--post CHANNEL=FL` or 'post_channels'";
+}
+
+std::string NearlyPost(const std::string& name, const std::vector<std::string>& posts) {
+  static const std::vector<std::vector<std::string_view>> kPlaces = {
+      {"FL", "FR", "RL", "RR"}, {"fl", "fr", "rl", "rr"}, {"VL", "VR", "HL", "HR"}, {"vl", "vr", "hl", "hr"},
+      {"front", "rear"},        {"Front", "Rear"},        {"left", "right"},        {"Left", "Right"}};
+  std::vector<std::string> others;
+  for (const std::string& post : posts)
+    for (const std::vector<std::string_view>& places : kPlaces)
+      for (const std::string_view place : places) {
+        const std::size_t at = post.rfind(place);
+        if (at == std::string::npos) continue;
+        for (const std::string_view other : places) {
+          const std::string changed = post.substr(0, at) + std::string(other) + post.substr(at + place.size());
+          if (std::find(posts.begin(), posts.end(), changed) == posts.end()) others.push_back(changed);
+        }
+      }
+  return std::string(NearestName(name, others).value_or(""));
 }
 
 NamedPosts PostsByName(const std::vector<std::string>& lengths) {

@@ -33,4 +33,8 @@ struct NamedPosts {
 /// "meas").
 NamedPosts PostsByName(const std::vector<std::string>& lengths);
 
+/// What a channel beside these of posts is probably meant to be called, as "post_RR" of "psot_RR" beside "post_RL": one
+/// of them with the place of a post that is none of theirs. Empty where no such name is near.
+std::string NearlyPost(const std::string& name, const std::vector<std::string>& posts);
+
 }  // namespace fourpost

@@ -15,16 +15,12 @@
 namespace fourpost {
 namespace {
 
-std::optional<Unit> UnitOf(const RecordedTable& table, std::size_t column) {
-  return ParseRecordedUnit(table.unit(column));
-}
-
-std::vector<std::string> Lengths(const RecordedTable& table) {
-  std::vector<std::string> names;
-  for (std::size_t column = 0; column < table.names().size(); ++column)
-    if (const auto unit = UnitOf(table, column); unit && unit->dimension == kLength)
-      names.push_back(table.names()[column]);
-  return names;
+/// '*' is any text.
+bool Matches(std::string_view name, std::string_view pattern) {
+  if (pattern.empty()) return name.empty();
+  if (pattern.front() != '*')
+    return !name.empty() && name.front() == pattern.front() && Matches(name.substr(1), pattern.substr(1));
+  return Matches(name, pattern.substr(1)) || (!name.empty() && Matches(name.substr(1), pattern));
 }
 
 /// Of an angle over time, not a count of cycles.
@@ -45,11 +41,10 @@ std::string ResponseUnit(const std::string& text) {
 }
 
 /// A column of numbers with its unit, where that is not known: "'oil' (foo)"; else empty.
-std::string UnknownUnit(const RecordedTable& table, std::size_t column) {
-  if (UnitOf(table, column) || table.HoldsText(column)) return "";
+std::string UnknownUnit(const RecordedTable& table, std::size_t column, const std::string& unit) {
+  if (ParseRecordedUnit(unit) || table.HoldsText(column)) return "";
   const std::optional<double> first = table.rows(column) > 0 ? table.Number(0, column) : std::nullopt;
   if (!first || std::isnan(*first)) return "";
-  const std::string& unit = table.unit(column);
   return "'" + table.names()[column] + "' (" + (unit.empty() ? "no unit" : unit) + ")";
 }
 
@@ -63,18 +58,21 @@ std::string ListOr(const std::vector<std::string>& names, const std::string& non
 class RigReader {
  public:
   RigReader(const std::filesystem::path& file, const RigPreparation& preparation, Diagnostics& diagnostics)
-      : file_(file), preparation_(preparation), diagnostics_(diagnostics) {}
+      : file_(file), preparation_(preparation), diagnostics_(diagnostics), stated_(preparation.channels) {}
 
   std::optional<RigRecording> Read(std::span<const PostChannel> posts) {
-    if (!ReadTables()) return std::nullopt;
+    if (!ReadTables() || !TakeUnits()) return std::nullopt;
     std::vector<PostChannel> known(posts.begin(), posts.end());
     for (std::size_t i = 0; i < tables_.size() && known.empty(); ++i) known = PostsOf(tables_[i]);
     if (!CheckPosts(known)) return std::nullopt;
     RecordedChannel times = preparation_.time.value_or(kTimeColumn);
     if (const std::string time = TimesColumn(tables_.front()); !preparation_.time && !time.empty())
       times.names = {time};
+    if (const RecordedChannel* const stated = Stated(times.names.front()); stated != nullptr && times.unit.empty())
+      times.unit = stated->unit;
     for (const PostChannel& post : known) {
       out_.posts.push_back(post.post);
+      out_.post_channels.push_back(post.channel);
       Want({.names = {post.channel}, .dimension = kLength, .what = "the displacement of a post"});
     }
     for (const RecordedTable& table : tables_) {
@@ -119,9 +117,59 @@ class RigReader {
     return named_.posts;
   }
 
+  /// Adds stated units to what else is stated of channels; false where one names no channel.
+  bool TakeUnits() {
+    std::vector<std::string> all;
+    for (const RecordedTable& table : tables_) all.insert(all.end(), table.names().begin(), table.names().end());
+    bool good = true;
+    for (const StatedUnit& stated : preparation_.units) {
+      bool is_used = false;
+      for (const std::string& name : all) {
+        if (!Matches(name, stated.channel)) continue;
+        is_used = true;
+        const auto is_it = [&](const RecordedChannel& channel) { return channel.names.front() == name; };
+        auto place = std::find_if(stated_.begin(), stated_.end(), is_it);
+        if (place == stated_.end())
+          place = stated_.insert(stated_.end(), {.names = {name}, .dimension = {}, .what = ""});
+        place->unit = stated.unit;
+      }
+      if (is_used) continue;
+      diagnostics_.Report(kResponseUnitOfNone, {tables_.front().file(), tables_.front().names_line()},
+                          {stated.channel, DidYouMeanOrAll(stated.channel, all)});
+      good = false;
+    }
+    return good;
+  }
+
+  /// As stated, else as the file has it.
+  std::string UnitText(const RecordedTable& table, std::size_t column) const {
+    const RecordedChannel* const stated = Stated(table.names()[column]);
+    return stated != nullptr && !stated->unit.empty() ? stated->unit : table.unit(column);
+  }
+
+  std::vector<std::string> Lengths(const RecordedTable& table) const {
+    std::vector<std::string> names;
+    for (std::size_t column = 0; column < table.names().size(); ++column)
+      if (const auto unit = ParseRecordedUnit(UnitText(table, column)); unit && unit->dimension == kLength)
+        names.push_back(table.names()[column]);
+    return names;
+  }
+
+  /// Of numbers, but for the times.
+  std::vector<std::string> WithoutUnit(const RecordedTable& table) const {
+    std::vector<std::string> names;
+    for (std::size_t column = 0; column < table.names().size(); ++column) {
+      const std::string& name = table.names()[column];
+      const bool is_of_numbers = !table.HoldsText(column) && table.rows(column) > 0 && table.Number(0, column);
+      if (is_of_numbers && name != TimesColumn(table) && !ParseRecordedUnit(UnitText(table, column)))
+        names.push_back(name);
+    }
+    return names;
+  }
+
   /// Null of a channel of which nothing is stated.
   const RecordedChannel* Stated(const std::string& name) const {
-    for (const RecordedChannel& channel : preparation_.channels)
+    for (const RecordedChannel& channel : stated_)
       if (channel.names.front() == name) return &channel;
     return nullptr;
   }
@@ -147,13 +195,46 @@ class RigReader {
       const bool is_made = stated != nullptr && (!stated->unit.empty() || stated->integrated_above_Hz);
       const std::vector<std::string>& such = is_made ? all : lengths;
       if (std::find(such.begin(), such.end(), post.channel) != such.end()) continue;
-      diagnostics_.Report(kResponsePostMissing, {table.file(), table.names_line()},
-                          {post.channel, post.post, DidYouMean(post.channel, lengths)});
       good = false;
+      if (const std::string unit = OtherUnitOf(post.channel); !unit.empty()) {
+        diagnostics_.Report(kResponsePostUnit, {table.file(), table.names_line()},
+                            {post.channel, post.post, unit, post.channel, post.post, post.channel});
+        continue;
+      }
+      diagnostics_.Report(kResponsePostMissing, {table.file(), table.names_line()},
+                          {post.channel, post.post, DidYouMeanOrAll(post.channel, lengths)});
     }
     if (!posts.empty()) return good;
-    diagnostics_.Report(kResponsePostsUnknown, {table.file(), table.names_line()}, {ListOr(lengths, "none")});
+    ReportNoPosts(lengths);
     return false;
+  }
+
+  /// "no unit" or "the unit 'V'" of a channel that is there; else empty.
+  std::string OtherUnitOf(const std::string& channel) const {
+    for (const RecordedTable& table : tables_)
+      if (const std::optional<std::size_t> column = table.FindColumn(channel)) {
+        const std::string unit = UnitText(table, *column);
+        return unit.empty() ? "no unit" : "the unit '" + unit + "', not one of a length";
+      }
+    return "";
+  }
+
+  void ReportNoPosts(const std::vector<std::string>& lengths) {
+    std::vector<std::string> without;
+    for (const RecordedTable& one : tables_) {
+      const std::vector<std::string> here = WithoutUnit(one);
+      without.insert(without.end(), here.begin(), here.end());
+    }
+    const RecordedTable& table = tables_.front();
+    const std::vector<PostChannel> posts = PostsByName(without).posts;
+    std::vector<std::string> channels;
+    for (const PostChannel& post : posts) channels.push_back(post.channel);
+    if (!posts.empty())
+      diagnostics_.Report(kResponsePostsWithoutUnit, {table.file(), table.names_line()},
+                          {ListOr(channels, ""), channels.front(), posts.front().post, channels.front()});
+    else
+      diagnostics_.Report(kResponsePostsUnknown, {table.file(), table.names_line()},
+                          {ListOr(lengths, "none"), without.empty() ? "" : "; without a unit: " + ListOr(without, "")});
   }
 
   void Want(RecordedChannel channel) {
@@ -174,7 +255,7 @@ class RigReader {
                                          [&](const RecordedChannel& other) { return other.names.front() == name; });
       if (is_wanted || std::find(times.begin(), times.end(), name) != times.end()) continue;
       const RecordedChannel* const stated = Stated(name);
-      const std::string text = stated == nullptr || stated->unit.empty() ? table.unit(column) : stated->unit;
+      const std::string text = UnitText(table, column);
       std::string unit = ResponseUnit(text);
       std::optional<Unit> parsed = ParseRecordedUnit(text);
       if (stated != nullptr && stated->integrated_above_Hz && parsed) {
@@ -183,7 +264,7 @@ class RigReader {
       }
       if (unit.empty() || table.HoldsText(column)) {
         out_.left_out.push_back(name);
-        if (const std::string unknown = UnknownUnit(table, column); !unknown.empty())
+        if (const std::string unknown = UnknownUnit(table, column, text); !unknown.empty())
           out_.unit_unknown.push_back(unknown);
         continue;
       }
@@ -220,6 +301,8 @@ class RigReader {
   const std::filesystem::path& file_;
   const RigPreparation& preparation_;
   Diagnostics& diagnostics_;
+  /// Of channels.
+  std::vector<RecordedChannel> stated_;
   /// The first is that of the file.
   std::vector<RecordedTable> tables_;
   std::vector<RecordedChannel> wanted_;

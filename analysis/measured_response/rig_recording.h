@@ -14,6 +14,12 @@
 
 namespace fourpost {
 
+/// The unit of channels of this name; '*' in it is any text.
+struct StatedUnit {
+  std::string channel;
+  std::string unit;
+};
+
 /// What is stated of a time history beside the names of its posts.
 struct RigPreparation {
   /// Of its times, and the files that were recorded beside it.
@@ -25,6 +31,8 @@ struct RigPreparation {
   /// What is before and after is left out.
   std::optional<double> start_s = {};
   std::optional<double> end_s = {};
+  /// In place of what the files have; times too. The last one that names a channel counts.
+  std::vector<StatedUnit> units = {};
 };
 
 /// A time history of a rig in SI: displacements of posts, and all other channels in a unit of a length, a force, an
@@ -33,6 +41,7 @@ struct RigRecording {
   double rate_Hz = 0;
   /// What the posts are called, and their displacements.
   std::vector<std::string> posts;
+  std::vector<std::string> post_channels;
   std::vector<std::vector<double>> heights;
   std::vector<std::string> names;
   /// "m", "N", "m/s^2" or "rad/s".

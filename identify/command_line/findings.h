@@ -26,6 +26,10 @@ inline const Finding kOptionOfVehicle{"option-of-vehicle", Severity::kError,
 inline const Finding kPostChannelMalformed{"post-channel-malformed", Severity::kError,
                                            "'{}' does not name a channel and its post", "write it as CHANNEL=FL"};
 
+inline const Finding kChannelUnitMalformed{
+    "channel-unit-malformed", Severity::kError, "'{}' does not name a channel and its unit",
+    "write it as CHANNEL=mm, with a unit such as m, mm, N, kN, g, m/s^2 or deg/s"};
+
 // Folders of fits.
 
 inline const Finding kRunNamedTwice{"run-named-twice", Severity::kError,

@@ -141,8 +141,11 @@ int RunInitFrom(const InitCommand& command) {
   if (files.empty() && !findings.HasErrors()) findings.Report(kNothingToDraftFrom, {command.from.front().string()});
   if (!vehicle || findings.HasErrors()) throw FaultyInput(findings);
   const StudyDraft draft = DraftStudy(files, *vehicle, study);
-  if (std::none_of(draft.files.begin(), draft.files.end(), [](const DraftedFile& file) { return file.is_used; }))
-    for (const DraftedFile& file : draft.files) findings.Report(kNotDrafted, {file.path.string()}, {file.use});
+  const bool is_any_used =
+      std::any_of(draft.files.begin(), draft.files.end(), [](const DraftedFile& file) { return file.is_used; });
+  for (const DraftedFile& file : draft.files)
+    if (!is_any_used || (!file.is_used && file.has_misspelt_post))
+      findings.Report(kNotDrafted, {file.path.string()}, {file.use});
   if (findings.HasErrors()) throw FaultyInput(findings);
   fs::create_directories(command.folder, failure);
   if (failure) RefuseToWrite(command.folder, failure);

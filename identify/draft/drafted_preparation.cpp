@@ -114,7 +114,7 @@ std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<
     std::optional<Unit> unit;
     for (const SourceChannel& channel : match.source.channels) {
       const ColumnSummary* const column = preparation.Find(channel.name);
-      unit = column == nullptr ? std::nullopt : ParseRecordedUnit(column->unit);
+      unit = column == nullptr ? std::nullopt : ParseRecordedUnit(channel.unit.empty() ? column->unit : channel.unit);
       if (!unit || !column->noise || !(column->noise->sd > 0)) {
         sum = 0;
         break;

@@ -9,6 +9,7 @@
 #include "analysis/files/recording_summary.h"
 #include "analysis/files/static_loads.h"
 #include "analysis/measured_response/measured_response.h"
+#include "analysis/measured_response/posts_by_name.h"
 #include "analysis/text/name_meaning.h"
 #include "analysis/text/named.h"
 #include "vehicles/description/post_pattern.h"
@@ -86,6 +87,18 @@ void MatchPosts(const Vehicle& vehicle, FileReading& reading) {
   }
 }
 
+/// A displacement beside those of posts that is nearly called as one, and what it is nearly called.
+std::pair<std::string, std::string> MisspeltPost(const FileReading& reading) {
+  std::vector<std::string> posts;
+  for (const ChannelMatch& post : reading.posts)
+    for (const SourceChannel& channel : post.source.channels) posts.push_back(channel.name);
+  for (const OfferedChannel& channel : reading.channels) {
+    std::string meant = channel.dimension == kLength ? NearlyPost(channel.name, posts) : "";
+    if (!meant.empty()) return {channel.name, std::move(meant)};
+  }
+  return {};
+}
+
 /// Which posts have no channel, and how a channel is called so that it is found.
 std::string PostsMissing(const Vehicle& vehicle, const FileReading& reading) {
   std::string missing;
@@ -100,9 +113,11 @@ std::string PostsMissing(const Vehicle& vehicle, const FileReading& reading) {
   std::string offered;
   for (const OfferedChannel& channel : reading.channels)
     if (channel.dimension == kLength) offered += (offered.empty() ? "" : ", ") + channel.name;
+  const auto& [misspelt, meant] = reading.misspelt_post;
   return "no channel found for post " + missing + ": call its displacement post_" + example + " or the like (" +
          "\"Actuator " + example + "\", \"Stempel " + example +
-         "\"; F, R, FL, VL and so on for places); displacements here: " + (offered.empty() ? "none" : offered);
+         "\"; F, R, FL, VL and so on for places); displacements here: " + (offered.empty() ? "none" : offered) +
+         (misspelt.empty() ? "" : "; '" + misspelt + "' is nearly '" + meant + "'");
 }
 
 /// Of each post of the vehicle: the mean of its channels.
@@ -203,6 +218,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   }
   MatchPosts(vehicle, reading);
   if (reading.posts.size() < vehicle.posts.size()) {
+    reading.misspelt_post = MisspeltPost(reading);
     reading.reason = PostsMissing(vehicle, reading);
     reading.is_without_posts = reading.posts.empty();
     if (reading.is_without_posts) ReadAtRestingPosts(table, vehicle, reading);

@@ -42,6 +42,8 @@ struct FileReading {
   DraftedPreparation preparation = {};
   /// Over time, and of a vehicle with posts, but without theirs: perhaps recorded beside another file.
   bool is_without_posts = false;
+  /// Of a file that lacks a post: a channel that is nearly called as one, and that name; empty: none.
+  std::pair<std::string, std::string> misspelt_post = {};
   /// Histories whose posts rest: what drives the vehicle's actuators; or it is let go and comes to rest.
   std::vector<ChannelMatch> actuators = {};
   bool is_release = false;

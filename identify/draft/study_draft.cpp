@@ -148,6 +148,7 @@ class Drafter {
 
   void Match(const FileReading& reading, const MotionEvidence& evidence) {
     DraftedFile drafted{.path = reading.path, .use = reading.reason};
+    drafted.has_misspelt_post = !reading.misspelt_post.first.empty();
     const bool is_loads = reading.kind == Kind::kLoads;
     const std::vector<SoughtChannel> sought = is_loads ? SoughtTyres(vehicle_) : SoughtSensors(vehicle_);
     if (reading.kind != Kind::kUnread) {

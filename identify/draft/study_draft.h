@@ -17,6 +17,8 @@ struct DraftedFile {
   /// What is made of it: "recordings", "histories", "static_loads", or why nothing is.
   std::string use;
   bool is_used = false;
+  /// Not used, as a post's channel is misspelt.
+  bool has_misspelt_post = false;
   /// What of the vehicle its channels were matched to, without posts.
   std::vector<ChannelMatch> matches = {};
   /// All channels, posts first.

@@ -186,7 +186,11 @@ std::string RestText(const RecordingSummary& summary) {
       noise += (noise.empty() ? "" : ", ") + column.name + ": " + StatedNoise(column.noise->sd, column.unit);
   return "at rest from " + Rounded(summary.rest->from_s, 3) + " to " + Rounded(summary.rest->to_s, 3) +
          " s after the first sample" +
-         (noise.empty() ? "\n" : "; in a study, by the names of sensors:\n  noise: {" + noise + "}\n");
+         (noise.empty()
+              ? "\n"
+              : "; in a study, with the vehicle's sensors in place of these channels, as `fourpost info` of a study "
+                "names them:\n  noise: {" +
+                    noise + "}\n");
 }
 
 std::string TextOf(const OverTime& content) {

@@ -1,6 +1,7 @@
 #include "identify/inspection/described_file.h"
 
 #include "identify/inspection/file_kind.h"
+#include "identify/inspection/noise_at_rest.h"
 #include "identify/study/experiment_kinds.h"
 #include "identify/study/loaded_study.h"
 #include "identify/study/study_audit.h"
@@ -36,7 +37,10 @@ std::optional<DescribedFile> DescribeStudy(const std::filesystem::path& file, Di
                                  {"inputs", std::move(files)},
                                  {"audit", audit ? AuditJson(*audit) : Json()},
                                  {"warnings", WarningsJson(described.findings)}});
-  described.text = audit ? AuditText(*audit) : "no audit: it needs stepped sines or histories of eight seconds, and posts and wheelpans as stated\n";
+  described.text =
+      audit ? AuditText(*audit)
+            : "no audit: it needs stepped sines or histories of eight seconds, and posts and wheelpans as stated\n";
+  described.text += NoiseAtRestText(*study);
   for (const Diagnostic& finding : described.findings.ByWeight()) described.text += Format(finding) + '\n';
   return described;
 }

@@ -231,6 +231,20 @@ TEST(Api, StudiesOfArraysAreChecked) {
               testing::Throws<Error>(testing::Property(&Error::kind, Error::Kind::kInput)));
 }
 
+TEST(Api, DeviationsOfArraysAreNotNegative) {
+  const Vehicle car = ReadVehicle(kSource / "studies/starter/vehicle.urdf");
+  const TemporaryFolder folder;
+  const auto refuses = [&](const char* sensor, const MeasuredFrf& measured) {
+    Study study(car);
+    study.Add(SteppedSineTest{.frequency_Hz = {1, 2}, .amplitude_m = {0.01}, .channels = {{sensor, measured}}});
+    EXPECT_THAT([&] { study.Write(folder.path() / "study"); }, Fails(Error::Kind::kInput, "array-negative"));
+  };
+  const Eigen::VectorXcd frf = Eigen::VectorXcd::Ones(2);
+  const Eigen::VectorXd one_below = Eigen::Vector2d(0.1, -0.1);
+  refuses("a_body", {.frf = frf, .relative_sd_at = one_below});
+  refuses("s_strut", {.frf = frf, .mean = Eigen::VectorXd::Zero(2), .mean_sd = one_below});
+}
+
 TEST(Api, MinimisesResidualsOfAnyKind) {
   const std::vector<Axis> axes = {{"a", -5, 5, 0.01}, {"b", 1, 20, 1, true}};
   const auto residuals = [](const Eigen::VectorXd& x) {

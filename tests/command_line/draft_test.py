@@ -3,6 +3,7 @@ import csv
 import json
 import math
 import re
+import shutil
 import unittest
 
 from program import SOURCE, ProgramTest, dwells
@@ -38,6 +39,18 @@ class Draft(ProgramTest):
     def simulate(self, name, *options):
         self.run_program("simulate", "car.urdf", "--recording", "heights.csv", "--rate", f"{RATE}Hz", "--noise", "0.1%",
                          "--engine", "reduced", *options, "-o", name)
+
+    def test_a_misspelt_post_is_an_error_although_other_files_are_used(self):
+        shutil.copy(SOURCE / "urdf/landrover110_linkage.urdf", self.folder / "rover.urdf")
+        for post in ("post_rear", "psot_rear", "z_axle"):
+            rows = (self.folder / "heights.csv").read_text().splitlines()[2:]
+            self.write(f"{post}.csv", f"time,post_front,{post},s_strut_front\ns,m,m,m\n" + "".join(
+                f"{row},{row.split(',')[1]},{row.split(',')[1]}\n" for row in rows))
+        words = ("init", "study", "--from", "post_rear.csv")
+        refused = self.run_program(*words, "psot_rear.csv", "--vehicle", "rover.urdf", code=3).stderr
+        self.assert_finding(refused, "not-drafted")
+        self.assertIn("'psot_rear' is nearly 'post_rear'", refused)
+        self.assertIn("not used: z_axle.csv", self.run_program(*words, "z_axle.csv", "--vehicle", "rover.urdf").stdout)
 
     def test_of_a_rigs_folder_fits_in_two_commands(self):
         (self.folder / "rig").mkdir()

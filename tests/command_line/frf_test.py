@@ -312,6 +312,157 @@ free: [k]
         self.assertTrue(any(part.startswith("cut to 0 .. ") for part in done), done)
         self.assertIn("a_body: trend taken away", (self.folder / "run/report.html").read_text())
 
+    def rows(self):
+        """Names, units and rows of the recording."""
+        names, units, *rows = [row.split(",") for row in (self.folder / "dwells.csv").read_text().splitlines()]
+        return names, units, rows
+
+    def write_rows(self, file, *rows):
+        self.write(file, "\n".join(",".join(row) for row in rows) + "\n")
+
+    def assert_same_responses(self, one, other):
+        self.assertEqual([c["name"] for c in one["channels"]], [c["name"] for c in other["channels"]])
+        for mine, its in zip(one["channels"], other["channels"]):
+            self.assertEqual(mine["unit"], its["unit"])
+            for a, b in zip(mine["gain"], its["gain"], strict=True):
+                # Numbers times 1000 in rounding.
+                self.assertAlmostEqual(a / b, 1, 6)
+
+    def test_takes_units_that_the_file_does_not_have(self):
+        names, units, rows = self.rows()
+        whole = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)["responses"][0]
+        self.write_rows("bare.csv", names, *rows)
+        refused = self.run_program("frf", "bare.csv", code=3).stderr
+        self.assert_finding(refused, "response-posts-without-unit")
+        self.assertIn("--unit 'post_post=mm'", refused)
+        self.assertIn("post_channels: {post: {channel: post_post, unit: mm}}", refused)
+        # By name, and by patterns, of which the last one counts.
+        words = ["--unit", "*=m", "--unit", "a_*=m/s^2", "--unit", "F_*=N", "--unit", "time=s"]
+        self.assert_same_responses(json.loads(self.run_program("frf", "bare.csv", *words, "--json").stdout)["responses"][0],
+                                   whole)
+        alone = self.run_program("frf", "bare.csv", "--unit", "post_post=m", "--unit", "s_strut=m", code=3).stderr
+        self.assertIn("'time'", alone)
+        self.assertIn("--unit", alone)
+        unknown = self.run_program("frf", "bare.csv", "--unit", "psot_post=m", code=3).stderr
+        self.assert_finding(unknown, "response-unit-of-none")
+        self.assertIn("did you mean 'post_post'?", unknown)
+        self.assert_finding(self.run_program("frf", "bare.csv", "--unit", "post_post=furlong", code=2).stderr,
+                            "channel-unit-malformed")
+        stated = self.run_program("frf", "bare.csv", "--post", "post_post=FL", "--unit", "time=s", code=3).stderr
+        self.assert_finding(stated, "response-post-unit")
+        self.assertIn("'post_post' of post 'FL' has no unit", stated)
+
+    def test_takes_a_table_without_names(self):
+        names, units, rows = self.rows()
+        whole = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)["responses"][0]
+        self.write_rows("bare.csv", *rows)
+        refused = self.run_program("frf", "bare.csv", code=3).stderr
+        self.assert_finding(refused, "csv-without-names")
+        words = []
+        for k, (name, unit) in enumerate(zip(names, units)):
+            words += ["--unit", f"column{k + 1}={unit}"]
+            if name == "post_post":
+                words += ["--post", f"column{k + 1}=post"]
+        bare = json.loads(self.run_program("frf", "bare.csv", *words, "--json").stdout)["responses"][0]
+        for channel in bare["channels"]:
+            channel["name"] = names[int(channel["name"].removeprefix("column")) - 1]
+        self.assert_same_responses(bare, whole)
+        # By a study.
+        column = {name: f"column{k + 1}" for k, name in enumerate(names)}
+        study = STUDY.format(recording=f"file: bare.csv, posts: heave, time: {{channel: {column['time']}, unit: s}}, "
+                                       f"post_channels: {{post: {{channel: {column['post_post']}, unit: m}}}}").replace(
+            "{a_body: a_body, s_strut: s_strut}", f"{{a_body: {{channel: {column['a_body']}, unit: m/s^2}}, "
+            f"s_strut: {{channel: {column['s_strut']}, unit: m}}}}")
+        self.write("study.yaml", study)
+        answer = json.loads(self.run_program("response", "study.yaml", "--engine", "reduced", "--json").stdout)
+        for channel in answer["channels"]:
+            # As of the file itself.
+            self.assertLess(channel["rms_dB"], 0.05, channel)
+
+    def test_responses_without_names_are_refused_once(self):
+        self.run_program("frf", "dwells.csv", "-o", "frf")
+        head, *rows = (self.folder / "frf/heave.csv").read_text().splitlines()
+        self.write("bare.csv", "\n".join(rows) + "\n")
+        self.write("study.yaml", STUDY.format(recording="file: bare.csv, posts: heave"))
+        refused = self.run_program("response", "study.yaml", code=3).stderr
+        self.assert_finding(refused, "csv-without-names")
+        self.assertIn("frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg", refused)
+
+    def test_a_file_without_rows_needs_rows(self):
+        for text in ("time,post_FL\ns,m\n", "time,post_FL\n", "time [s],post_FL [m]\n"):
+            self.write("empty.csv", text)
+            for command in ("frf", "info"):
+                refused = self.run_program(command, "empty.csv", code=3).stderr
+                self.assert_finding(refused, "csv-no-rows")
+                self.assertEqual(refused.count(": error: "), 1, refused)
+
+    def test_posts_that_no_rig_moves_so_are_in_another_unit(self):
+        names, units, rows = self.rows()
+        post = names.index("post_post")
+        for factor, unit, meant in ((1e3, "m", "mm"), (1, "mm", "m")):
+            with self.subTest(unit):
+                self.write_rows("wrong.csv", names, units[:post] + [unit] + units[post + 1:], *(
+                    row[:post] + [f"{factor * float(row[post]):.9g}"] + row[post + 1:] for row in rows))
+                refused = self.run_program("frf", "wrong.csv", code=3).stderr
+                self.assert_finding(refused, "response-post-size")
+                self.assertIn(f"state its unit: --unit 'post_post={meant}'", refused)
+                self.run_program("frf", "wrong.csv", "--unit", f"post_post={meant}")
+
+    def test_a_post_that_is_misspelt_is_an_error(self):
+        names, units, rows = self.rows()
+        post, strut = names.index("post_post"), names.index("s_strut")
+
+        def record(*posts, sensor="s_FL"):
+            self.write_rows("four.csv", ["time", *posts, sensor], ["s", *("m" for _ in posts), "m"],
+                            *([row[0], *(row[post] for _ in posts), row[strut]] for row in rows))
+
+        record("post_FL", "post_FR", "post_RL", "psot_RR")
+        refused = self.run_program("frf", "four.csv", code=3).stderr
+        self.assert_finding(refused, "response-post-misspelt")
+        self.assertIn("'post_RR'", refused)
+        self.assertIn("--post 'post_FL=FL'", refused)
+        # As it says; and where posts are stated, the others are the user's choice.
+        self.run_program("frf", "four.csv", *(word for channel, name in (
+            ("post_FL", "FL"), ("post_FR", "FR"), ("post_RL", "RL"), ("psot_RR", "RR"))
+            for word in ("--post", f"{channel}={name}")))
+        self.assert_finding(self.run_program("frf", "four.csv", "--post", "post_FL=FL").stderr, "response-like-post")
+        # Named like a post that is there, or like none.
+        record("post_FL", "post_FR", "post_RL", "table")
+        self.assertNotIn("misspelt", self.run_program("frf", "four.csv").stderr)
+        # A sensor that is nearly called as a post and does not move as one.
+        record("post_FL", "post_FR", "post_RL", sensor="pot_RR")
+        self.assertNotIn("response-", self.run_program("frf", "four.csv").stderr)
+        unknown = self.run_program("frf", "four.csv", "--post", "post_Fl=FL", code=3).stderr
+        self.assert_finding(unknown, "response-post-missing")
+        self.assertIn("did you mean 'post_FL'?", unknown)
+
+    def test_a_post_that_the_vehicle_does_not_have_is_an_error_of_validation_too(self):
+        good = STUDY.format(recording="file: dwells.csv, posts: heave")
+        for wrong, finding in (
+                ("  - {file: dwells.csv, name: other, posts: {psot: 1}, use: validation}\n", "sine-post-unknown"),
+                ("  - {file: dwells.csv, name: other, posts: heave, post_channels: {post: psot_post}, use: validation}\n",
+                 "response-post-missing"),
+                ("histories:\n  - {file: dwells.csv, posts: {psot: post_post}, use: validation}\n", "history-post-unknown")):
+            with self.subTest(finding):
+                self.write("study.yaml", good.replace("channels:", wrong + "channels:", 1) + "free: [k]\n")
+                refused = self.run_program("fit", "study.yaml", "-o", "run", code=3).stderr
+                self.assert_finding(refused, finding)
+                self.assertIn("post", refused)
+        # A fault of the file itself leaves it out.
+        self.write("study.yaml", good.replace("channels:", "  - {file: none.csv, posts: heave, use: validation}\nchannels:", 1) +
+                   "free: [k]\n")
+        self.assert_finding(self.run_program("fit", "study.yaml", "-o", "run", "--no-suggest").stderr, "validation-left-out")
+
+    def test_shows_mean_offsets(self):
+        shown = self.run_program("frf", "dwells.csv").stdout
+        self.assertRegex(shown, r"mean offsets relative to rest[^\n]* heave.csv")
+        channel = {c["name"]: c for c in json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)
+                   ["responses"][0]["channels"]}["s_strut"]
+        surest = max(range(4), key=lambda k: abs(channel["mean"][k]) / channel["mean_sd"][k])
+        row = next(line.split() for line in shown.split("mean offsets")[2].splitlines() if line.startswith("s_strut"))
+        self.assertEqual(row[1], "mm")
+        self.assertAlmostEqual(float(row[2]), 1e3 * channel["mean"][surest], delta=1e-3 * abs(1e3 * channel["mean"][surest]) + 1e-9)
+
     def test_refuses_what_it_cannot_use(self):
         self.assert_finding(self.run_program("frf", "dwells.csv", "--post", "FL", code=2).stderr, "post-channel-malformed")
         self.assert_finding(self.run_program("frf", "dwells.csv", "--kind", "steped", code=2).stderr, "value-unknown")

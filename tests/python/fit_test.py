@@ -142,6 +142,7 @@ def test_ctrl_c_ends_a_fit_whose_results_are_kept(tmp_path):
     (fp.SteppedSine([1, 2], 0.01, {"a_body": fp.Measured([1, 2], [0.01] * 3)}), "arrays-unequal"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": ["one", "two"]}), "table-shape"),
     (fp.SteppedSine([1, 2], 0.01, {"s_strut": fp.Measured([1, 2], mean_sd=1e-3)}), "mean-sd-without-mean"),
+    (fp.SteppedSine([1, 2], 0.01, {"s_strut": fp.Measured([1, 2], mean=[0, 0], mean_sd=[1e-3, -1e-3])}), "array-negative"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": [[1, 2], [1]]}), "table-shape"),
     (fp.TimeHistory({"post": ["high"] * 9}, {"a_body": [0.0] * 9}, rate=100), "table-shape"),
     (fp.SteppedSine([1, 2], 0.01, {"a_body": [1, np.nan]}), "number-not-finite"),

@@ -45,9 +45,27 @@ constexpr CurveForm kSpring = {.x = "extension",
 constexpr CurveForm kDamper = {
     .x = "speed", .other_x = "velocity", .dimension = kVelocity, .x_unit = "m/s", .type = "dpr", .what = "a damper"};
 
+/// The unit itself where quantities can be shown in it; else another.
+std::string ShownUnit(const std::string& written, const Unit& recorded, std::string_view other) {
+  const std::optional<Unit> unit = ParseUnit(written);
+  const bool is_same = unit && unit->dimension == recorded.dimension && unit->si == recorded.si;
+  return is_same ? written : std::string(other);
+}
+
+/// One of this size; else another.
+std::string UnitOfSize(double si, std::span<const std::string_view> known, std::string_view other) {
+  constexpr double kRounding = 1e-9;
+  for (const std::string_view name : known)
+    if (const std::optional<Unit> unit = ParseUnit(name); unit && std::abs(unit->si / si - 1) < kRounding)
+      return std::string(name);
+  return std::string(other);
+}
+
 /// A column of a table.
 struct CurveColumn {
   std::size_t index = 0;
+  /// In which its numbers are shown.
+  std::string unit = {};
   /// SI per unit, negative where it counts the other way.
   double si = 1;
 };
@@ -58,10 +76,13 @@ class CurveTable {
   CurveTable(const RecordedTable& table, const CurveForm& form, Diagnostics& diagnostics)
       : table_(table), form_(form), diagnostics_(diagnostics) {}
 
-  std::optional<std::vector<CurvePoint>> Points() {
+  /// With the units of the file for `names`.
+  std::optional<std::vector<CurvePoint>> Points(CurveNames& names) {
     const std::optional<CurveColumn> x = Column({form_.x, form_.other_x}, form_.dimension, form_.x_unit);
     const std::optional<CurveColumn> force = Column({"force", "force"}, kForce, "N");
     if (!x || !force) return std::nullopt;
+    names.x_unit = x->unit;
+    names.force_unit = force->unit;
     std::vector<CurvePoint> points;
     const std::size_t rows = std::min(table_.rows(x->index), table_.rows(force->index));
     bool is_good = true;
@@ -114,6 +135,7 @@ class CurveTable {
       return std::nullopt;
     }
     found->si *= unit->si;
+    found->unit = ShownUnit(written, *unit, such);
     return found;
   }
 
@@ -162,13 +184,19 @@ std::optional<std::vector<CurvePoint>> PointsOf(const PropertyFile& file, const 
   return points;
 }
 
-std::optional<std::vector<CurvePoint>> PropertyPoints(const PropertyFile& file, const CurveForm& form) {
+std::optional<std::vector<CurvePoint>> PropertyPoints(const PropertyFile& file, const CurveForm& form,
+                                                      CurveNames& names) {
   const std::string what = std::string(form.what) + ", type '" + std::string(form.type) + "'";
   file.CheckType(form.type, form.what);
   const std::optional<PropertyFile::Units> units = file.ReadUnits(false, what);
   const PropertyFile::Block* block = file.Find("CURVE", what);
   if (!units || !block) return std::nullopt;
   const double x_si = form.dimension == kVelocity ? units->length / units->time : units->length;
+  constexpr std::array<std::string_view, 6> kLengths = {"mm", "m", "cm", "km", "in", "ft"};
+  constexpr std::array<std::string_view, 6> kSpeeds = {"mm/s", "m/s", "cm/s", "km/h", "in/s", "ft/s"};
+  constexpr std::array<std::string_view, 4> kForces = {"N", "kN", "lbf", "MN"};
+  names.x_unit = UnitOfSize(x_si, form.dimension == kVelocity ? kSpeeds : kLengths, form.x_unit);
+  names.force_unit = UnitOfSize(units->force, kForces, "N");
   std::optional<std::vector<CurvePoint>> points = PointsOf(file, *block, form.x, x_si, units->force);
   if (points && form.sign < 0)
     for (CurvePoint& point : *points) point = {0 - point.x, 0 - point.force, point.line};
@@ -210,22 +238,23 @@ std::optional<std::string> ReadCurveText(const std::filesystem::path& path, Diag
   return std::nullopt;
 }
 
-/// Of either kind of file. `free_length`: of property files, if any.
+/// Of either kind of file, and in which units it has them. `free_length`: of property files, if any.
 std::optional<std::vector<CurvePoint>> ReadPoints(const std::filesystem::path& path, const CurveForm& form,
-                                                  std::optional<double>* free_length, Diagnostics& diagnostics) {
+                                                  CurveNames& names, std::optional<double>* free_length,
+                                                  Diagnostics& diagnostics) {
   const std::optional<std::string> text = ReadCurveText(path, diagnostics);
   if (!text) return std::nullopt;
   if (PropertyFile::IsOne(*text)) {
     const PropertyFile file(path.string(), *text, diagnostics);
     if (file.HasManyFaults()) return std::nullopt;
-    std::optional<std::vector<CurvePoint>> points = PropertyPoints(file, form);
+    std::optional<std::vector<CurvePoint>> points = PropertyPoints(file, form, names);
     if (points && free_length) *free_length = FreeLength(file);
     return points;
   }
   const std::optional<RecordedTable> table = ReadRecordedTable(path, diagnostics);
   if (!table) return std::nullopt;
   try {
-    return CurveTable(*table, form, diagnostics).Points();
+    return CurveTable(*table, form, diagnostics).Points(names);
   } catch (const FaultyInput& faulty) {
     diagnostics.Add(faulty.diagnostics());
     return std::nullopt;
@@ -308,9 +337,9 @@ BushingRates RatesOf(const std::filesystem::path& path, Diagnostics& diagnostics
 std::optional<SpringCurve> ReadSpringCurve(const std::filesystem::path& file, Diagnostics& diagnostics) {
   Diagnostics found;
   SpringCurve curve;
-  std::optional<std::vector<CurvePoint>> points = ReadPoints(file, kSpring, &curve.free_length, found);
-  if (points && OrderPoints(file.string(), {.x = "extension", .x_unit = "mm"}, *points, found))
-    curve.points = *std::move(points);
+  CurveNames names = {.x = "extension", .x_unit = "mm"};
+  std::optional<std::vector<CurvePoint>> points = ReadPoints(file, kSpring, names, &curve.free_length, found);
+  if (points && OrderPoints(file.string(), names, *points, found)) curve.points = *std::move(points);
   diagnostics.Add(found);
   if (found.HasErrors()) return std::nullopt;
   return curve;
@@ -318,10 +347,11 @@ std::optional<SpringCurve> ReadSpringCurve(const std::filesystem::path& file, Di
 
 std::optional<std::vector<CurvePoint>> ReadDamperCurve(const std::filesystem::path& file, Diagnostics& diagnostics) {
   Diagnostics found;
-  std::optional<std::vector<CurvePoint>> points = ReadPoints(file, kDamper, nullptr, found);
+  CurveNames names = {.x = "speed", .x_unit = "m/s"};
+  std::optional<std::vector<CurvePoint>> points = ReadPoints(file, kDamper, names, nullptr, found);
   // Points that drive the motion everywhere fall: one fault, not one for each.
-  if (points && CheckResistance(file.string(), *points, found))
-    OrderPoints(file.string(), {.x = "speed", .x_unit = "m/s"}, *points, found);
+  if (points && CheckResistance(file.string(), names, *points, found))
+    OrderPoints(file.string(), names, *points, found);
   diagnostics.Add(found);
   if (found.HasErrors()) return std::nullopt;
   return points;

@@ -49,7 +49,8 @@ bool OrderPoints(const std::string& file, const CurveNames& names, std::vector<C
   return is_good && !is_full();
 }
 
-bool CheckResistance(const std::string& file, const std::vector<CurvePoint>& points, Diagnostics& diagnostics) {
+bool CheckResistance(const std::string& file, const CurveNames& names, const std::vector<CurvePoint>& points,
+                     Diagnostics& diagnostics) {
   const auto pushes = [](const CurvePoint& point) {
     return point.x * point.force < 0 || (point.x != 0 && point.force == 0);
   };
@@ -63,9 +64,10 @@ bool CheckResistance(const std::string& file, const std::vector<CurvePoint>& poi
   for (const CurvePoint& point : points) {
     if (HasManyFaults(diagnostics)) return false;
     const bool has_preload = point.x == 0 && point.force != 0;
-    if (has_preload) diagnostics.Report(kCurveAtRest, {file, point.line}, {Shown(point.force, "N")});
+    if (has_preload) diagnostics.Report(kCurveAtRest, {file, point.line}, {Shown(point.force, names.force_unit)});
     else if (pushes(point))
-      diagnostics.Report(kCurvePushes, {file, point.line}, {Shown(point.x, "m/s"), Shown(point.force, "N")});
+      diagnostics.Report(kCurvePushes, {file, point.line},
+                         {Shown(point.x, names.x_unit), Shown(point.force, names.force_unit)});
     is_good = is_good && !has_preload && !pushes(point);
   }
   return is_good;

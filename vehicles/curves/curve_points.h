@@ -27,6 +27,7 @@ bool OrderPoints(const std::string& file, const CurveNames& names, std::vector<C
                  Diagnostics& diagnostics);
 
 /// Of a damper: reports points whose force drives the motion, and a force at rest; false then.
-bool CheckResistance(const std::string& file, const std::vector<CurvePoint>& points, Diagnostics& diagnostics);
+bool CheckResistance(const std::string& file, const CurveNames& names, const std::vector<CurvePoint>& points,
+                     Diagnostics& diagnostics);
 
 }  // namespace fourpost

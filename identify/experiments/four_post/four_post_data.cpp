@@ -10,12 +10,14 @@
 
 #include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/measured_response/findings.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/study_recording.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/named_channels.h"
+#include "identify/study_file/own_fault.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -314,6 +316,7 @@ std::vector<MeasuredRun> LoadValidationRuns(const FourPostPlan& plan, const Vehi
     for (const MeasuredRun& run : InBand(runs, plan.band_lower_Hz, plan.band_upper_Hz))
       if (run.excitation.frequency_Hz.empty())
         found.Report(kBandWithoutFrequency, {plan.file, plan.band_line}, {run.name});
+    found = WithoutOwnFaults(found, {&kSinePostUnknown, &kResponsePostMissing}, diagnostics);
     if (std::optional<LeftOutRecording> out = LeftOutFor(found, recording.name, recording.file, diagnostics))
       left_out.push_back(*std::move(out));
     else

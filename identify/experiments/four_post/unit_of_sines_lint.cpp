@@ -5,6 +5,7 @@
 #include <complex>
 #include <utility>
 
+#include "analysis/measured_response/plausible_amplitude.h"
 #include "analysis/text/short_number.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/study_recording.h"
@@ -69,22 +70,18 @@ double SumOfSquares(const std::vector<std::complex<double>>& values, const std::
 
 bool LintAmplitudes(const FourPostPlan& plan, const std::vector<MeasuredRun>& runs, Severity severity,
                     Diagnostics& diagnostics) {
-  // Of any rig for vehicles: least of what a servo-hydraulic post resolves, most of its stroke.
-  constexpr double kLeast_m = 0.1e-3;
-  constexpr double kMost_m = 0.25;
-  // Amplitudes of some mm that are taken for some um; between the two it may be a very gentle test.
-  constexpr double kSurelyNone_m = 0.02e-3;
   bool good = true;
   for (const MeasuredRun& run : runs) {
     const std::vector<double>& amplitudes = run.excitation.amplitude_m;
-    const double most = amplitudes.empty() ? kLeast_m : *std::max_element(amplitudes.begin(), amplitudes.end());
-    if (most >= kLeast_m && most <= kMost_m) continue;
-    const bool is_sure = most > kMost_m || most < kSurelyNone_m;
+    const double most =
+        amplitudes.empty() ? kLeastAmplitude_m : *std::max_element(amplitudes.begin(), amplitudes.end());
+    if (most >= kLeastAmplitude_m && most <= kMostAmplitude_m) continue;
+    const bool is_sure = most > kMostAmplitude_m || most < kSurelyNoAmplitude_m;
     good = good && !is_sure;
     const StudyRecording* const stated = StatedAs(plan, run.name);
     ReportWith(is_sure ? severity : Severity::kWarning, kRigAmplitude,
                {.file = plan.file, .line = stated == nullptr ? 0 : stated->line},
-               {run.name, ShortNumber(1e3 * most, 3), AmplitudeRemedy(stated, most, most > kMost_m ? 1 : -1)},
+               {run.name, ShortNumber(1e3 * most, 3), AmplitudeRemedy(stated, most, most > kMostAmplitude_m ? 1 : -1)},
                diagnostics);
   }
   return good;

@@ -47,8 +47,8 @@ inline const Finding kStaticLoadFarOff{"load-far-off", Severity::kWarning, "the 
 inline const Finding kStaticLoadsDiffer{
     "static-loads-differ", Severity::kWarning,
     "measured loads at rest differ from the fitted ones by more than 3 standard deviations: {}",
-    "{}check the scale of the cells where all differ alike; give the centre of mass a parameter where one side or axle "
-    "carries more; where one diagonal does, which is cross weight, level the posts or give each spring its preload; or "
-    "state larger standard deviations"};
+    "{}check the scale of the cells (all differ alike), free the centre of mass (one side or axle does) or level the "
+    "posts "
+    "(one diagonal does: cross weight)"};
 
 }  // namespace fourpost

@@ -19,6 +19,7 @@
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/findings.h"
+#include "identify/study_file/own_fault.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -326,6 +327,7 @@ std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& his
     std::optional<MeasuredHistory> history;
     if (RequireFile(study.file, study_file, study.line, found))
       history = HistoryLoader(study, study_file, vehicle, control, found).Load();
+    found = WithoutOwnFaults(found, {&kHistoryPostUnknown}, diagnostics);
     if (std::optional<LeftOutRecording> out = LeftOutFor(found, study.name, study.file, diagnostics))
       left_out.push_back(*std::move(out));
     else if (history) loaded.push_back(std::move(*history));

@@ -41,6 +41,41 @@ TEST(CsvStart, IsTheFirstLineOfAPlainTable) {
   EXPECT_FALSE(StartBelowLines("quantity,value\nmass,1\nlength,2\nwidth,3\n"));
 }
 
+TEST(CsvWithoutNames, CallsColumnsByNumber) {
+  for (const char* text : {"0.5,1.5,2\n1,2.5,3\n1.5,3.5,4\n", "0,5;1,5;2;\n1;2,5;3;\n1,5;3,5;4;\n",
+                           "# by hand, 2025\n# 3 columns\n0.5\t1.5\t2\n1\t2.5\t3\n1.5\t3.5\t4\n"}) {
+    Diagnostics diagnostics;
+    const auto table = ParseCsv(text, "t.csv", diagnostics, CsvHeader::kNamesAndUnits);
+    ASSERT_TRUE(table) << text << diagnostics.Format();
+    EXPECT_FALSE(table->has_names());
+    EXPECT_THAT(table->names(), ElementsAre("column1", "column2", "column3"));
+    EXPECT_THAT(table->units(), ElementsAre("", "", ""));
+    ASSERT_EQ(table->rows(), 3U);
+    EXPECT_EQ(table->Number(0, 1), 1.5);
+    EXPECT_THAT(diagnostics, ReportsOnly(kCsvWithoutNames, table->line(0), {"column3"}));
+  }
+}
+
+TEST(CsvWithoutNames, MayHoldTexts) {
+  Diagnostics diagnostics;
+  const auto table = ParseCsv("0.5,5e-3,a,2\n0.5,5e-3,b,3\n1,5e-3,a,2\n", "t.csv", diagnostics);
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->rows(), 3U);
+  EXPECT_EQ(table->Text(1, 2), "b");
+}
+
+// Numbers that are names: columns that are counted, and frequencies over a row of units or behind a text.
+TEST(CsvWithoutNames, IsNoTableWithNumbersAsNames) {
+  for (const char* text : {"0,1,2\n0.5,1.5,2\n1,2.5,3\n", "1,2\n0.5,1.5\n1,2.5\n1.5,3\n",
+                           "10,20\nmm,N\n0.5,1.5\n1,2.5\n", "click,0,5\nsoft,1.5,2\nhard,2.5,3\nnew,3,4\n"}) {
+    Diagnostics diagnostics;
+    const auto table = ParseCsv(text, "t.csv", diagnostics);
+    ASSERT_TRUE(table) << text;
+    EXPECT_TRUE(table->has_names()) << text;
+    EXPECT_TRUE(diagnostics.items().empty());
+  }
+}
+
 TEST(CsvInTheWild, MayMarkItsNamesAsAComment) {
   EXPECT_THAT(Parse("# time [s],F [N]\n0,1\n1,2\n").names(), ElementsAre("time", "F"));
 }

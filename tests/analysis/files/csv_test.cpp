@@ -112,7 +112,11 @@ TEST(CsvFault, EmptyFile) {
 
 TEST(CsvFault, NoRows) { EXPECT_THAT(Faults("a,b\n"), ReportsOnly(kCsvNoRows, 0)); }
 
-TEST(CsvFault, NoRowOfUnits) { EXPECT_THAT(Faults("a,b\n", CsvHeader::kNamesAndUnits), ReportsOnly(kCsvNoUnits, 0)); }
+/// Units alone would not mend it.
+TEST(CsvFault, NoRowsAndNoUnits) {
+  for (const char* text : {"a,b\n", "a [m],b [N]\n", "a,b\nm,N\n"})
+    EXPECT_THAT(Faults(text, CsvHeader::kNamesAndUnits), ReportsOnly(kCsvNoRows, 0));
+}
 
 TEST(CsvFault, ColumnWithoutName) { EXPECT_THAT(Faults("a,,c\n1,2,3\n"), ReportsOnly(kCsvColumnNameless, 1, {"2"})); }
 

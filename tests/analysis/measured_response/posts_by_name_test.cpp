@@ -74,5 +74,20 @@ TEST(PostsByName, OfOnePlaceAreNotTwo) {
   }
 }
 
+TEST(NearlyPost, IsAPostThatIsMissing) {
+  const std::vector<std::string> three = {"post_FL", "post_FR", "post_RL"};
+  EXPECT_EQ(NearlyPost("psot_RR", three), "post_RR");
+  EXPECT_EQ(NearlyPost("Post_RRR", three), "post_RR");
+  EXPECT_EQ(NearlyPost("Zyl_HRR", {"Zyl_VL", "Zyl_VR", "Zyl_HL"}), "Zyl_HR");
+  EXPECT_EQ(NearlyPost("post_reer", {"post_front"}), "post_rear");
+}
+
+TEST(NearlyPost, IsNoOther) {
+  EXPECT_EQ(NearlyPost("table", {"post_FL", "post_FR", "post_RL"}), "");
+  EXPECT_EQ(NearlyPost("Pot_Susp_RR", {"post_FL", "post_FR", "post_RL"}), "");
+  EXPECT_EQ(NearlyPost("psot", {"post"}), "");
+  EXPECT_EQ(NearlyPost("psot_RR", {}), "");
+}
+
 }  // namespace
 }  // namespace fourpost
