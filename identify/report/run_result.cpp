@@ -27,6 +27,13 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
   return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
+/// Half the interval about the value, by the end that no bound cuts; of positive parameters it is that of a logarithm.
+double HalfWidth(const ReportedParameter& parameter) {
+  const double sign = parameter.upper_95 < parameter.upper ? 1 : -1;
+  const double end = sign > 0 ? parameter.upper_95 : parameter.lower_95;
+  return parameter.lower > 0 ? sign * parameter.value * std::log(end / parameter.value) : sign * (end - parameter.value);
+}
+
 /// Runs of older versions hold no interval; theirs is that of a normal distribution.
 void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
   constexpr double kReach = 1.96;
@@ -37,6 +44,7 @@ void ReadInterval(const Json& parameter, double si, ReportedParameter& reported)
   const bool is_told = interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
   reported.lower_95 = is_told ? interval[0].get<double>() / si : reported.value - kReach * reported.sd;
   reported.upper_95 = is_told ? interval[1].get<double>() / si : reported.value + kReach * reported.sd;
+  reported.noise_factor = HalfWidth(reported) / (kReach * NumberAt(parts, "noise") / si);
 }
 
 /// Row `i` of the correlations.
