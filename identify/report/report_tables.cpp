@@ -102,11 +102,11 @@ Limit LimitOf(const std::string& limited_by) {
   const std::string name = colon == std::string::npos ? "" : InWords(limited_by.substr(colon + 2));
   if (kind == "noise") return {"limited by noise", "Measure longer or more often."};
   if (kind == "model")
-    return {"limited by the model at " + name,
-            "The data of " + name + " ask for another value than the rest: check those channels, then add to the model "
-            "what they ask for."};
+    return {"limited by the model (" + name + ")",
+            "These data ask for another value than the rest: check them; if they are right, add to the model what they "
+            "ask for."};
   if (kind == "missing")
-    return {"limited by what the model lacks: " + name, "Add it to the model, and fit again."};
+    return {"limited by what the model lacks (" + name + ")", "Add it to the model, and fit again."};
   if (kind == "held") return {"limited by the held " + name, "Measure " + name + ", or free it."};
   if (kind == "calibration")
     return {"limited by the calibration of " + name, "Calibrate " + name + " and state the smaller deviation."};

@@ -27,11 +27,14 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
   return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
-/// Half the interval about the value, by the end that no bound cuts; of positive parameters it is that of a logarithm.
+/// Half the interval; of one that a bound cuts, from the value to its other end. That of a positive parameter is even in
+/// its logarithm.
 double HalfWidth(const ReportedParameter& parameter) {
-  const double sign = parameter.upper_95 < parameter.upper ? 1 : -1;
-  const double end = sign > 0 ? parameter.upper_95 : parameter.lower_95;
-  return parameter.lower > 0 ? sign * parameter.value * std::log(end / parameter.value) : sign * (end - parameter.value);
+  const auto place = [&](double value) { return parameter.lower > 0 ? parameter.value * std::log(value) : value; };
+  const double value = place(parameter.value);
+  if (parameter.lower_95 <= parameter.lower) return place(parameter.upper_95) - value;
+  if (parameter.upper_95 >= parameter.upper) return value - place(parameter.lower_95);
+  return (place(parameter.upper_95) - place(parameter.lower_95)) / 2;
 }
 
 /// Runs of older versions hold no interval; theirs is that of a normal distribution.

@@ -59,7 +59,7 @@ TEST(ParameterTable, SaysInWordsWhatLimitsAndWhatToDo) {
   ReportedParameter wide = Known();
   wide.limited_by = "model: 2.4 .. 4.8 Hz";
   EXPECT_THAT(ParameterTableHtml({wide}, ""),
-              AllOf(HasSubstr("limited by the model at 2.4 to 4.8 Hz"), HasSubstr("add to the model what they ask for")));
+              AllOf(HasSubstr("limited by the model (2.4 to 4.8 Hz)"), HasSubstr("add to the model what they ask for")));
   wide.limited_by = "noise";
   EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("title=\"Measure longer or more often.\""));
 }
