@@ -77,8 +77,8 @@ describe('the page of modes', () => {
       const ways = await saved(page, page.locator('#poles-k .menu').first(), 'SVG');
       assert.equal(ways.bytes.toString().trim().replace(/^<\?xml.*?\?>\s*/, '').slice(0, 4), '<svg');
       await page.locator('#vehicle .opener').click();
-      await page.locator('.whatif .row[data-parameter=k] input[type=number]').fill('25');
-      await page.locator('.whatif .row[data-parameter=k] input[type=number]').press('Enter');
+      await page.locator('.whatif .row[data-parameter=k] input.number').fill('25');
+      await page.locator('.whatif .row[data-parameter=k] input.number').press('Enter');
       await page.locator('#modes .moved path').first().waitFor({ state: 'attached' });
       await page.locator('.viewer .caption', { hasText: /^what if: heave, 1\./ }).waitFor();
     });
