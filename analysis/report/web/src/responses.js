@@ -152,7 +152,9 @@ export function drawResponses(place, data) {
     for (const file of files) {
       try {
         const other = dataOf(await file.text());
-        const name = [file.name.replace(/\.html$/, ''), other.result?.study?.replace(/\.ya?ml$/, '')].filter((part) => part && part !== 'report').join(' ') || 'other';
+        const ofFile = [file.name.replace(/\.html$/, ''), other.result?.study?.replace(/\.ya?ml$/, '')].filter((part) => part && part !== 'report').join(' ') || 'other';
+        const taken = (name) => name === data.result?.study?.replace(/\.ya?ml$/, '') || state.others.some((one) => one.name === name);
+        const name = taken(ofFile) ? `${ofFile} (${state.others.length + 2})` : ofFile;
         const place = freePlace();
         const parameters = parametersOf(listOf(data.result?.parameters), listOf(other.result?.parameters), place, data.live?.parameters);
         const one = { name, place, shared: sharedWith(all, other.responses), parameters };

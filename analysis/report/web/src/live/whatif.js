@@ -127,7 +127,7 @@ function row(parameter, change, type) {
   const band =
     interval?.[0] == null
       ? null
-      : el('i', { class: 'interval', style: { left: percent(shareOf(parameter, interval[0])), width: percent(shareOf(parameter, interval[1]) - shareOf(parameter, interval[0])) } });
+      : el('i', { class: `interval${interval[0] <= parameter.lower ? ' below' : ''}${interval[1] >= parameter.upper ? ' above' : ''}`, style: { left: percent(shareOf(parameter, interval[0])), width: percent(shareOf(parameter, interval[1]) - shareOf(parameter, interval[0])) } });
   const box = el(
     'div',
     { class: 'row', 'data-parameter': name },
