@@ -303,7 +303,7 @@ std::string ShownConfidence(std::string text) {
 std::string WhyWide(const std::vector<ReportedParameter>& parameters, const Json& result) {
   std::vector<double> shares;
   for (const ReportedParameter& parameter : parameters)
-    if (std::isfinite(parameter.noise_factor) && parameter.CutAt() != "both bounds") shares.push_back(parameter.noise_factor);
+    if (std::isfinite(parameter.noise_factor)) shares.push_back(parameter.noise_factor);
   std::string ways;
   for (const Json& way : ListAt(result.value("intervals", Json()), "ways"))
     if (const std::string by = TextAt(way, "by"); !by.empty()) ways += (ways.empty() ? "" : " and ") + by;

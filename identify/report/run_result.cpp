@@ -27,19 +27,17 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
   return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
-/// Half the interval; of one that a bound cuts, from the value to its other end. That of a positive parameter is even in
-/// its logarithm.
+constexpr double kReach = 1.96;
+
+/// Half the interval, even in the logarithm of a positive parameter; of one that a bound cuts by its deviation.
 double HalfWidth(const ReportedParameter& parameter) {
+  if (parameter.lower_95 <= parameter.lower || parameter.upper_95 >= parameter.upper) return kReach * parameter.sd;
   const auto place = [&](double value) { return parameter.lower > 0 ? parameter.value * std::log(value) : value; };
-  const double value = place(parameter.value);
-  if (parameter.lower_95 <= parameter.lower) return place(parameter.upper_95) - value;
-  if (parameter.upper_95 >= parameter.upper) return value - place(parameter.lower_95);
   return (place(parameter.upper_95) - place(parameter.lower_95)) / 2;
 }
 
 /// Runs of older versions hold no interval; theirs is that of a normal distribution.
 void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
-  constexpr double kReach = 1.96;
   const std::vector<Json> interval = ListAt(parameter, "interval_95");
   reported.limited_by = TextAt(parameter, "limited_by");
   const Json parts = parameter.value("sd_parts", Json());
