@@ -142,6 +142,8 @@ describe('the page of kinematics', () => {
       const shown = await numbersOf(page, page.locator('#axle-1 .menu').first());
       assert.equal(shown.rows.length, rows.length);
       rows.forEach((row, i) => [row.travel_mm, row.camber_deg].forEach((value, k) => assert.ok(Math.abs(value - shown.rows[i][k]) <= 1e-5 * Math.max(1, Math.abs(value)), `${i}`)));
+      assert.equal(await page.locator('#vehicle h2').textContent(), 'Travel of the wheels, chassis held');
+      assert.deepEqual((await page.locator('#contents a').allTextContents()).filter((name) => /^Axle/.test(name)), ['Axle front', 'Axle rear']);
       await moves(page, /^front heave 0\.0 mm/);
       const canvas = page.locator('.viewer canvas');
       const picture = () => canvas.evaluate((one) => one.toDataURL());

@@ -62,7 +62,7 @@ export function drawResponses(place, data) {
       .map((channel) => card({ ...channel, lines: [...linesOf(channel, state.start, state.whatIf), ...state.others.flatMap((other) => (other.shared.has(channel) ? [lineOf(other, other.shared.get(channel))] : []))] }, hasBand ? [band] : [], sync, state.axes === 'band' && hasBand ? band : null));
   };
   /** After a cell of a map led to some frequencies. */
-  const back = el('button', { type: 'button', class: 'back', hidden: true, onclick: () => redraw() }, 'back to all frequencies');
+  const back = el('button', { type: 'button', class: 'back', hidden: true, onclick: () => redraw() }, 'show the whole range again');
   const redraw = () => {
     back.hidden = true;
     cards = cardsOf(state.recording);
