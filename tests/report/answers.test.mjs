@@ -172,7 +172,7 @@ describe('the page of a simulation', () => {
       assert.equal(shown.rows.length, lines.length - 2);
       const most = Math.max(...lines.slice(2).map((line) => Math.abs(line[k])));
       lines.slice(2).forEach((line, i) => assert.ok(Math.abs(line[k] - shown.rows[i][1]) <= (0.51 * most) / 32767, `${i}`));
-      await moves(page, / at 0\.00 s, in real time/);
+      await moves(page, / at 0\.00 s, motion scaled/);
       // Tyre forces over that at rest, as the load cell reads their change.
       const scrub = page.locator('#vehicle input[aria-label="time of the recording"]');
       await scrub.evaluate((slider) => {
