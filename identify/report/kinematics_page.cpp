@@ -205,7 +205,11 @@ constexpr const char* kNote =
 }  // namespace
 
 std::string KinematicsPage(SuspensionRig& rig, const std::vector<AxleKinematics>& axles, const Diagnostics& findings) {
-  VehicleAnswer page{.facts = {"kinematics and compliance"}, .file = "", .findings = findings, .shows_modes = false};
+  VehicleAnswer page{.facts = {"kinematics and compliance"},
+                     .file = "",
+                     .findings = findings,
+                     .viewer_title = "Travel of the wheels, chassis held",
+                     .shows_modes = false};
   for (const AxleKinematics& kinematics : axles) {
     const AxlePart part(rig.suspension(), kinematics);
     std::vector<CurveGroup> groups = part.Groups();

@@ -138,6 +138,9 @@ std::string Directions(const Json& result) {
          "</p><ul class=\"directions\">" + items + "</ul>\n";
 }
 
+/// "80 to 90 %"; empty of runs of older versions.
+std::string ConfidenceOf(const Json& result) { return TextAt(result.value("intervals", Json()), "confidence"); }
+
 std::string Profiles(const Json& result, const RunContents& run) {
   const std::string table = ProfileTableHtml(result, run);
   const auto chart = run.files.find("profile.svg");
@@ -251,7 +254,8 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   const std::string body =
       Header(result, about) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
-      html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
+      html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why, ConfidenceOf(result)) +
+                                                IntervalBasisHtml(parameters, result) + Profiles(result, run)) +
       Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
   return PageOf(TitleOf(result, about) + " \u2013 fourpost report", body,
                 DataOf(result, parts, scene, run, parameters));

@@ -60,6 +60,19 @@ bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
                      [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
 }
 
+/// What stands between backticks as code; one that has no partner stays.
+std::string WithCode(const std::string& text) {
+  std::string html;
+  std::size_t from = 0;
+  for (std::size_t open = text.find('`'); open != std::string::npos; open = text.find('`', from)) {
+    const std::size_t close = text.find('`', open + 1);
+    if (close == std::string::npos) break;
+    html += html::Escaped(text.substr(from, open - from)) + html::Code(text.substr(open + 1, close - open - 1));
+    from = close + 1;
+  }
+  return html + html::Escaped(text.substr(from));
+}
+
 /// {"id", "text"}, or the text alone of an older run.
 std::string FindingText(const Json& finding) {
   if (finding.is_string()) return finding.get<std::string>();
@@ -71,7 +84,7 @@ std::string DoesNotExplain(const Json& result) {
   const std::vector<Json> reasons = ListAt(result.value("verdict", Json()), "reasons");
   std::vector<std::string> listed;
   for (const Json& reason : reasons)
-    if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(html::Escaped(text));
+    if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(WithCode(text));
   if (listed.empty()) return "";
   return "<strong>The model does not explain the data:</strong> " + Enumeration(listed) + ". ";
 }
@@ -80,7 +93,7 @@ std::string DoesNotExplain(const Json& result) {
 std::string WhatWasAccepted(const Json& result) {
   std::vector<std::string> listed;
   for (const Json& one : ListAt(result.value("verdict", Json()), "accepted"))
-    if (const std::string text = FindingText(one); !text.empty()) listed.push_back(html::Escaped(text));
+    if (const std::string text = FindingText(one); !text.empty()) listed.push_back(WithCode(text));
   return listed.empty() ? "" : "<strong>Implausible values were accepted:</strong> " + Enumeration(listed) + ". ";
 }
 
@@ -358,7 +371,7 @@ std::string WhatWasOdd(const Json& result) {
   std::string items;
   for (const Json& warning : ListAt(result, "warnings"))
     if (const std::string text = FindingText(warning); !text.empty())
-      items += html::Element("li", "", html::Escaped(text));
+      items += html::Element("li", "", WithCode(text));
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 

@@ -6,6 +6,8 @@
 #include "analysis/files/json_text.h"
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
+#include "analysis/signals/median.h"
+#include "analysis/text/counted.h"
 
 namespace fourpost {
 namespace {
@@ -31,6 +33,29 @@ bool AboveUpper(const ReportedParameter& parameter) {
   return std::isfinite(parameter.sd) && parameter.upper_95 > parameter.upper;
 }
 
+/// Whether an end of the interval is the bound: it would reach beyond.
+bool IsCutBelow(const ReportedParameter& parameter) {
+  return std::isfinite(parameter.sd) && parameter.lower_95 <= parameter.lower;
+}
+bool IsCutAbove(const ReportedParameter& parameter) {
+  return std::isfinite(parameter.sd) && parameter.upper_95 >= parameter.upper;
+}
+
+/// "1 631 … 1 967"; an end that a bound cuts is the bound, marked by an arrow.
+Cell IntervalCell(const ReportedParameter& parameter, int decimals) {
+  if (std::isinf(parameter.sd)) return {"open", "n"};
+  if (!std::isfinite(parameter.sd)) return {"", "n"};
+  const auto end = [&](double value, bool is_cut) {
+    return is_cut ? ShownShort(value, 4) : ShownDecimals(value, decimals);
+  };
+  const bool below = IsCutBelow(parameter);
+  const bool above = IsCutAbove(parameter);
+  const std::string text = (below ? "\u2190\u202f" : "") + end(std::max(parameter.lower_95, parameter.lower), below) +
+                           " \u2026 " + end(std::min(parameter.upper_95, parameter.upper), above) +
+                           (above ? "\u202f\u2192" : "");
+  return {html::Escaped(text), "n"};
+}
+
 Cell BarCell(const ReportedParameter& parameter) {
   if (!(parameter.upper > parameter.lower)) return TextCell("");
   // Open: anything between the bounds.
@@ -39,7 +64,7 @@ Cell BarCell(const ReportedParameter& parameter) {
   std::string bar = "<span class=\"bar\" title=\"between the bounds: interval, fitted value, start\">";
   if (!std::isnan(parameter.sd))
     bar += "<i class=\"interval" + std::string(std::isinf(parameter.sd) ? " open" : "") +
-           (BelowLower(parameter) ? " below" : "") + (AboveUpper(parameter) ? " above" : "") +
+           (IsCutBelow(parameter) ? " below" : "") + (IsCutAbove(parameter) ? " above" : "") +
            "\" style=\"left:" + Percent(from) + ";width:" + Percent(to - from) + "\"></i>";
   if (std::isfinite(parameter.start))
     bar += "<i class=\"start\" style=\"left:" + Percent(ShareOfRange(parameter, parameter.start)) + "\"></i>";
@@ -57,6 +82,37 @@ std::string Determined(const ReportedParameter& parameter) {
   return sd <= 0.02 ? "well determined" : sd <= 0.1 ? "determined" : "weakly determined";
 }
 
+/// What limits an interval, in words, and what would make it narrower.
+struct Limit {
+  std::string text;
+  std::string remedy;
+};
+
+/// "2.4 .. 4.8 Hz" as "2.4 to 4.8 Hz".
+std::string InWords(std::string text) {
+  for (std::size_t at = text.find(" .. "); at != std::string::npos; at = text.find(" .. ", at))
+    text.replace(at, 4, " to ");
+  return text;
+}
+
+/// `limited_by`: of a result, as "model: 2.4 .. 4.8 Hz".
+Limit LimitOf(const std::string& limited_by) {
+  const std::size_t colon = limited_by.find(": ");
+  const std::string kind = limited_by.substr(0, colon);
+  const std::string name = colon == std::string::npos ? "" : InWords(limited_by.substr(colon + 2));
+  if (kind == "noise") return {"limited by noise", "Measure longer or more often."};
+  if (kind == "model")
+    return {"limited by the model (" + name + ")",
+            "These data ask for another value than the rest: check them; if they are right, add to the model what they "
+            "ask for."};
+  if (kind == "missing")
+    return {"limited by what the model lacks (" + name + ")", "Add it to the model, and fit again."};
+  if (kind == "held") return {"limited by the held " + name, "Measure " + name + ", or free it."};
+  if (kind == "calibration")
+    return {"limited by the calibration of " + name, "Calibrate " + name + " and state the smaller deviation."};
+  return {"limited by " + InWords(limited_by), ""};
+}
+
 Cell RemarkCell(const ReportedParameter& parameter) {
   std::string remark = Determined(parameter);
   const bool told = parameter.state == ParameterState::kAtBound || std::isfinite(parameter.sd);
@@ -70,11 +126,13 @@ Cell RemarkCell(const ReportedParameter& parameter) {
                                                                           : "the upper bound");
   if (!parameter.CutAt().empty()) remark += ", interval cut at " + std::string(parameter.CutAt());
   if (!parameter.limited_by.empty() && std::isfinite(parameter.sd))
-    remark += (remark.empty() ? "" : ", ") + ("limited by " + parameter.limited_by);
+    remark += (remark.empty() ? "" : ", ") + LimitOf(parameter.limited_by).text;
   constexpr double kHeldCounts = 1.5;
   if (std::isfinite(parameter.held_factor) && parameter.held_factor > kHeldCounts)
     remark += " (" + ShownNumber(parameter.held_factor, 2) + " times smaller if that were known)";
   std::string cell = html::Escaped(remark);
+  if (const std::string remedy = LimitOf(parameter.limited_by).remedy; !remedy.empty() && std::isfinite(parameter.sd))
+    cell = "<span title=\"" + html::Escaped(remedy) + "\">" + cell + "</span>";
   if (std::abs(parameter.correlation) > 0.8 && std::isfinite(parameter.sd))
     cell += (cell.empty() ? "" : "; ") + std::string("correlated with ") +
             html::Element("code", "", html::Escaped(parameter.partner)) + " (" +
@@ -90,7 +148,10 @@ std::vector<Cell> ParameterRow(const ReportedParameter& parameter, bool has_sd) 
   std::vector<Cell> row = {{html::Element("code", "", html::Escaped(parameter.name)), ""},
                            NumberCell(ShownDecimals(parameter.start, std::min(decimals, coarse))),
                            {html::Element("b", "", ShownDecimals(parameter.value, decimals)), "n"}};
-  if (has_sd) row.push_back(SdCell(parameter.sd, decimals));
+  if (has_sd) {
+    row.push_back(SdCell(parameter.sd, decimals));
+    row.push_back(IntervalCell(parameter, decimals));
+  }
   row.push_back(TextCell(ShownUnit(parameter.unit)));
   if (has_sd) row.push_back(NumberCell(ShownNumber(100 * parameter.RelativeSd(), 2)));
   row.insert(row.end(), {NumberCell(ShownShort(parameter.lower, 4)),
@@ -100,9 +161,9 @@ std::vector<Cell> ParameterRow(const ReportedParameter& parameter, bool has_sd) 
   return row;
 }
 
-std::vector<std::string> ParameterHead(bool has_sd) {
+std::vector<std::string> ParameterHead(bool has_sd, const std::string& confidence) {
   if (!has_sd) return {"parameter", "start", "fitted", "unit", "lower", "between the bounds", "upper", ""};
-  return {"parameter", "start", "fitted", "sd", "unit", "sd, %", "lower", "between the bounds", "upper", "assessment"};
+  return {"parameter", "start", "fitted", "sd", "interval of " + confidence, "unit", "sd, %", "lower", "between the bounds", "upper", "assessment"};
 }
 
 void AddRows(const std::string& group, const Json& object, Rows& rows) {
@@ -212,32 +273,131 @@ std::string PolesText(const Json& mode) {
   return text;
 }
 
+/// Motions that hold a twentieth of the energy and more: the three largest, the rest on demand.
+std::string EnergyHtml(const Json& mode) {
+  constexpr double kLeast = 0.05;
+  constexpr std::size_t kFirst = 3;
+  std::vector<std::pair<double, std::string>> shares;
+  for (const Json& share : ListAt(mode, "energy"))
+    if (const double part = NumberAt(share, "share"); part >= kLeast) shares.emplace_back(part, TextAt(share, "motion"));
+  std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string first;
+  std::string rest;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    std::string& text = i < kFirst || shares.size() == kFirst + 1 ? first : rest;
+    text += (text.empty() ? "" : ", ") +
+            html::Escaped(shares[i].second + ' ' + ShownDecimals(100 * shares[i].first, 0) + "\u00a0%");
+  }
+  if (rest.empty()) return first;
+  return first + " <details class=\"more\"><summary>" + std::to_string(shares.size() - kFirst) +
+         " more</summary>" + rest + "</details>";
+}
+
+/// "80 to 90 %", which may break nowhere.
+std::string ShownConfidence(std::string text) {
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, "\u00a0");
+  return text;
+}
+
+/// How far the data disagree, and what that costs.
+std::string WhyWide(const std::vector<ReportedParameter>& parameters, const Json& result) {
+  std::vector<double> shares;
+  for (const ReportedParameter& parameter : parameters)
+    if (std::isfinite(parameter.noise_factor)) shares.push_back(parameter.noise_factor);
+  std::string ways;
+  for (const Json& way : ListAt(result.value("intervals", Json()), "ways"))
+    if (const std::string by = TextAt(way, "by"); !by.empty()) ways += (ways.empty() ? "" : " and ") + by;
+  std::string text = "Parts of the data" + (ways.empty() ? "" : " (by " + html::Escaped(ways) + ")") +
+                     " ask for different parameters, " +
+                     (NumberAt(result, "misfit") <= 1
+                          ? "by no more than the stated model error allows. "
+                          : "beyond noise. First check what was measured: gain, sign, delay, position and noise of "
+                            "each channel and post. If that is right, the model lacks something. ");
+  if (!shares.empty())
+    text += "By noise alone the intervals would be " + ShownNumber(Median(shares), 2) + " times narrower.";
+  return html::Element("p", "", text) + '\n';
+}
+
+/// Parameters by what limits them, with what would help.
+std::string RemediesHtml(const std::vector<ReportedParameter>& parameters) {
+  std::vector<std::pair<std::string, std::string>> groups;
+  for (const ReportedParameter& parameter : parameters) {
+    if (parameter.limited_by.empty() || !std::isfinite(parameter.sd)) continue;
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& group) { return group.first == parameter.limited_by; });
+    if (known == groups.end()) groups.emplace_back(parameter.limited_by, html::Code(parameter.name));
+    else known->second += ", " + html::Code(parameter.name);
+  }
+  std::string items;
+  for (const auto& [limited_by, names] : groups) {
+    const Limit limit = LimitOf(limited_by);
+    items += html::Element("li", "", names + ": " + html::Escaped(limit.text + ". " + limit.remedy));
+  }
+  return items.empty() ? "" : html::Element("ul", "", items) + '\n';
+}
+
+/// Recordings that want other values than the rest: the first, and the others on demand.
+std::string ContradictionsHtml(const std::vector<ReportedParameter>& parameters, const std::vector<Json>& found) {
+  constexpr std::size_t kShown = 3;
+  std::string first;
+  std::string rest;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::string name = TextAt(found[i], "parameter");
+    const double shift = NumberAt(found[i], "shift");
+    const auto parameter = std::find_if(parameters.begin(), parameters.end(),
+                                        [&](const ReportedParameter& candidate) { return candidate.name == name; });
+    if (parameter == parameters.end() || !std::isfinite(shift)) continue;
+    const bool is_relative = parameter->lower > 0;
+    const double percent = 100 * (is_relative ? std::expm1(shift) : shift);
+    (i < kShown ? first : rest) += html::Element(
+        "li", "",
+        "Without " + html::Code(TextAt(found[i], "without")) + ' ' + html::Code(name) + " would change by " +
+            (percent > 0 ? "+" : "") + ShownNumber(percent, 2) + " %" + (is_relative ? "" : " of its range") + " (" +
+            ShownNumber(NumberAt(found[i], "in_sd_of_noise"), 2) + " standard deviations of noise).");
+  }
+  if (first.empty()) return "";
+  return "<p>Recordings contradict each other beyond noise:</p>\n" + html::Element("ul", "", first) +
+         (rest.empty() ? "" : "<details><summary>all of them</summary>" + html::Element("ul", "", rest) + "</details>") +
+         '\n';
+}
+
 }  // namespace
 
-std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none) {
+std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none,
+                               const std::string& stated) {
   const bool has_sd =
       std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.IsJudged(); });
   const bool lacks = std::any_of(parameters.begin(), parameters.end(), [](const ReportedParameter& parameter) {
     return parameter.limited_by.starts_with("model") || parameter.limited_by.starts_with("missing");
   });
+  // Of runs of older versions.
+  const std::string confidence = ShownConfidence(!stated.empty() ? stated : lacks ? "80 to 90 %" : "95 %");
   Rows rows;
   for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter, has_sd));
   if (rows.empty()) return "";
-  return html::Table(ParameterHead(has_sd), rows) +
+  const std::string bar = "Bar: the interval between the bounds, with an arrow where a bound cuts it off (\u2190, "
+                          "\u2192 beside the number); dot: fitted value; tick: start. ";
+  return html::Table(ParameterHead(has_sd, confidence), rows) +
          html::Element(
              "p", "note",
-             has_sd
-                 ? "Bar: " +
-                       std::string(lacks ? "interval that holds the truth in 80 to 90 % of cases"
-                                         : "interval of 95 %") +
-                       ", with an arrow where it reaches beyond a bound, by noise alone; dot: fitted value; tick: start. \"sd, %\": of "
-                       "the value, or of the range where the bounds have both signs. " +
-                       (lacks ? "Parts of the data ask for different parameters, by more than noise explains, and "
-                                "standard deviations and intervals allow for that. A richer model can narrow them."
-                              : "Standard deviations follow from noise, held parameters and the stated model error, "
-                                "scaled up where residuals are larger.")
-                 : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
+             has_sd ? "Interval: holds the true value in " + confidence + " of cases. " + bar +
+                          "\"sd, %\": of the value, or of the range where the bounds have both signs. " +
+                          (lacks ? "Parts of the data ask for different parameters, by more than noise explains, and "
+                                   "standard deviations and intervals allow for that. A richer model can narrow them."
+                                 : "Standard deviations follow from noise, held parameters and the stated model "
+                                   "error, scaled up where residuals are larger.")
+                    : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
          '\n';
+}
+
+std::string IntervalBasisHtml(const std::vector<ReportedParameter>& parameters, const Json& result) {
+  const Json intervals = result.value("intervals", Json());
+  if (!intervals.is_object()) return "";
+  const Json flag = intervals.value("model_error", Json());
+  std::string html;
+  if (flag.is_boolean() && flag.get<bool>()) html += WhyWide(parameters, result);
+  html += RemediesHtml(parameters) + ContradictionsHtml(parameters, ListAt(intervals, "contradictions"));
+  return html.empty() ? "" : "<h3>What would narrow the intervals</h3>\n" + html;
 }
 
 std::string ProfileTableHtml(const Json& result, const RunContents& run) {
@@ -288,26 +448,25 @@ std::string ChannelTableHtml(const Json& result) {
 std::string ModeTableHtml(const Json& modes) {
   Rows rows;
   if (modes.is_array())
-    for (const Json& mode : modes) {
-      std::string shares;
-      for (const Json& share : ListAt(mode, "energy"))
-        if (NumberAt(share, "share") >= 0.05)
-          shares += (shares.empty() ? "" : ", ") + TextAt(share, "motion") + ' ' +
-                    ShownDecimals(100 * NumberAt(share, "share"), 0) + "\u00a0%";
+    for (const Json& mode : modes)
       rows.push_back({TextCell(TextAt(mode, "name")),
                       NumberCell(ShownDecimals(NumberAt(mode, "frequency_Hz"), 2)),
                       NumberCell(ShownDecimals(NumberAt(mode, "damping_ratio"), 3)),
                       NumberCell(PolesText(mode)),
-                      {html::Escaped(shares), "wrap"}});
-    }
+                      {EnergyHtml(mode), "wrap"}});
   return rows.empty() ? "" : html::Table({"mode", "Hz", "damping ratio", "poles, 1/s", "kinetic energy"}, rows);
 }
 
 std::string ModeSectionHtml(const Json& modes) {
+  const std::string table =
+      ModeTableHtml(modes) + "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n";
+  // Many modes need the width.
+  constexpr std::size_t kBeside = 8;
   return html::Section("modes", "Modes and poles",
-                       "<div class=\"pair\"><div>" + ModeTableHtml(modes) +
-                           "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n</div><div>" +
-                           html::Drawn("poles") + "</div></div>\n");
+                       modes.is_array() && modes.size() > kBeside
+                           ? table + html::Drawn("poles")
+                           : "<div class=\"pair\"><div>" + table + "</div><div>" + html::Drawn("poles") +
+                                 "</div></div>\n");
 }
 
 std::string SearchNoteHtml(const Json& result) {
@@ -319,10 +478,14 @@ std::string SearchNoteHtml(const Json& result) {
   for (const char* key : {"accelerations", "migrations"}) {
     const Json gain = search.value(key, Json::object());
     const double count = NumberAt(gain, "count");
-    if (!(count > 0)) continue;
-    text += ' ' + std::string(key == std::string_view("migrations") ? "Migrations" : "Accelerations") + ": " +
-            ShownDecimals(count, 0) + " in " + ShownDecimals(NumberAt(gain, "evaluations"), 0) +
-            " evaluations, of which " + ShownDecimals(NumberAt(gain, "successes"), 0) + " lowered the best cost.";
+    const double evaluations = NumberAt(gain, "evaluations");
+    // A step that took up known points cost nothing and brought nothing.
+    if (!(count > 0) || !(evaluations > 0)) continue;
+    const double successes = NumberAt(gain, "successes");
+    const std::string what = key == std::string_view("migrations") ? "migration" : "acceleration";
+    text += ' ' + Counted(static_cast<std::size_t>(count), what) + " took " +
+            Counted(static_cast<std::size_t>(evaluations), "evaluation") + "; " +
+            (successes > 0 ? ShownDecimals(successes, 0) : "none") + " lowered the best cost.";
   }
   const Json starts = result.value("starts", Json::object());
   text += " Then Ceres refined " + ShownDecimals(NumberAt(starts, "refined"), 0) + " points, of which " +

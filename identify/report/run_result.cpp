@@ -27,9 +27,17 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
   return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
+constexpr double kReach = 1.96;
+
+/// Half the interval, even in the logarithm of a positive parameter; of one that a bound cuts by its deviation.
+double HalfWidth(const ReportedParameter& parameter) {
+  if (parameter.lower_95 <= parameter.lower || parameter.upper_95 >= parameter.upper) return kReach * parameter.sd;
+  const auto place = [&](double value) { return parameter.lower > 0 ? parameter.value * std::log(value) : value; };
+  return (place(parameter.upper_95) - place(parameter.lower_95)) / 2;
+}
+
 /// Runs of older versions hold no interval; theirs is that of a normal distribution.
 void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
-  constexpr double kReach = 1.96;
   const std::vector<Json> interval = ListAt(parameter, "interval_95");
   reported.limited_by = TextAt(parameter, "limited_by");
   const Json parts = parameter.value("sd_parts", Json());
@@ -37,6 +45,7 @@ void ReadInterval(const Json& parameter, double si, ReportedParameter& reported)
   const bool is_told = interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
   reported.lower_95 = is_told ? interval[0].get<double>() / si : reported.value - kReach * reported.sd;
   reported.upper_95 = is_told ? interval[1].get<double>() / si : reported.value + kReach * reported.sd;
+  reported.noise_factor = HalfWidth(reported) / (kReach * NumberAt(parts, "noise") / si);
 }
 
 /// Row `i` of the correlations.

@@ -33,6 +33,8 @@ struct ReportedParameter {
   std::string limited_by;
   /// By how much `sd` would be smaller if held parameters and calibrations were known; NaN of runs of older versions.
   double held_factor = 0;
+  /// By how much the interval would be narrower by noise alone; NaN of runs of older versions.
+  double noise_factor = 0;
   /// Whether anything was found out of its deviation, such as that it has none.
   bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
   std::string_view CutAt() const { return IntervalCutAt(lower_95, upper_95, lower, upper); }

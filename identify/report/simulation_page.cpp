@@ -1,5 +1,8 @@
 #include "identify/report/simulation_page.h"
 
+#include <cctype>
+#include <sstream>
+
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
 #include "identify/experiments/run_history.h"
@@ -16,11 +19,24 @@ std::string SizesHtml(const std::vector<HistoryChannel>& channels) {
   std::vector<std::vector<html::Cell>> rows;
   for (const HistoryChannel& channel : channels) {
     const Extent extent = ExtentOf(channel.values);
-    rows.push_back({{html::Code(channel.name), ""}, TextCell(ShownUnit(channel.unit))});
+    const bool is_length = channel.unit == "m";
+    rows.push_back({{html::Code(channel.name), ""}, TextCell(is_length ? "mm" : ShownUnit(channel.unit))});
     for (const double size : {extent.mean, extent.rms, extent.peak, extent.peak_to_peak})
-      rows.back().push_back(NumberCell(ShownNumber(size, 4)));
+      rows.back().push_back(NumberCell(ShownNumber((is_length ? 1e3 : 1) * size, 4)));
   }
   return html::Table({"channel", "unit", "mean", "rms", "peak", "peak to peak"}, rows);
+}
+
+/// Each line of a text as a sentence.
+std::string SentencesHtml(const std::string& text) {
+  std::istringstream lines(text);
+  std::string sentences;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) continue;
+    line[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
+    sentences += (sentences.empty() ? "" : " ") + html::Escaped(line) + '.';
+  }
+  return html::Element("p", "note", sentences) + '\n';
 }
 
 TimeTable TableOf(const SimulationAnswer& answer) {
@@ -60,7 +76,7 @@ std::string SimulationPage(const Vehicle& vehicle, const SimulationAnswer& answe
   VehicleAnswer page{.facts = {"simulated", ShownUnit(answer.origin.motion)}, .file = "", .findings = answer.findings};
   page.before.push_back(
       {"summary", "Summary",
-       SizesHtml(answer.channels) + "<p class=\"note\">" + html::Escaped(EngineText(answer.origin.by)) + "</p>\n"});
+       SizesHtml(answer.channels) + SentencesHtml(EngineText(answer.origin.by))});
   if (answer.motion.coordinates.rows() > 1) {
     page.over_time = {{answer.origin.motion, answer.motion}};
     page.scene = {{"first", "history"}};

@@ -152,7 +152,7 @@ std::string ViewerHtml(const VehicleAnswer& answer, const OrderedJson& scene, co
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
                       : html::Drawn("viewer", "The moving vehicle needs JavaScript.") +
                             (answer.responses.empty() ? html::Drawn("sliders") : "") + Note(answer.viewer_note);
-  return html::Section("vehicle", "The vehicle on its posts", viewer);
+  return html::Section("vehicle", answer.viewer_title, viewer);
 }
 
 }  // namespace

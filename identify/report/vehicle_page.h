@@ -22,7 +22,8 @@ struct VehicleAnswer {
   Diagnostics findings = {};
   std::vector<SweptResponse> responses = {};
   std::vector<RecordedHistory> over_time = {};
-  /// Below the moving vehicle.
+  /// Over the moving vehicle, and below it.
+  std::string viewer_title = "The vehicle on its posts";
   std::string viewer_note = {};
   /// Before and after the section of the vehicle.
   std::vector<ReportSection> before = {};

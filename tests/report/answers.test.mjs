@@ -77,8 +77,8 @@ describe('the page of modes', () => {
       const ways = await saved(page, page.locator('#poles-k .menu').first(), 'SVG');
       assert.equal(ways.bytes.toString().trim().replace(/^<\?xml.*?\?>\s*/, '').slice(0, 4), '<svg');
       await page.locator('#vehicle .opener').click();
-      await page.locator('.whatif .row[data-parameter=k] input[type=number]').fill('25');
-      await page.locator('.whatif .row[data-parameter=k] input[type=number]').press('Enter');
+      await page.locator('.whatif .row[data-parameter=k] input.number').fill('25');
+      await page.locator('.whatif .row[data-parameter=k] input.number').press('Enter');
       await page.locator('#modes .moved path').first().waitFor({ state: 'attached' });
       await page.locator('.viewer .caption', { hasText: /^what if: heave, 1\./ }).waitFor();
     });
@@ -142,6 +142,8 @@ describe('the page of kinematics', () => {
       const shown = await numbersOf(page, page.locator('#axle-1 .menu').first());
       assert.equal(shown.rows.length, rows.length);
       rows.forEach((row, i) => [row.travel_mm, row.camber_deg].forEach((value, k) => assert.ok(Math.abs(value - shown.rows[i][k]) <= 1e-5 * Math.max(1, Math.abs(value)), `${i}`)));
+      assert.equal(await page.locator('#vehicle h2').textContent(), 'Travel of the wheels, chassis held');
+      assert.deepEqual((await page.locator('#contents a').allTextContents()).filter((name) => /^Axle/.test(name)), ['Axle front', 'Axle rear']);
       await moves(page, /^front heave 0\.0 mm/);
       const canvas = page.locator('.viewer canvas');
       const picture = () => canvas.evaluate((one) => one.toDataURL());
@@ -170,7 +172,7 @@ describe('the page of a simulation', () => {
       assert.equal(shown.rows.length, lines.length - 2);
       const most = Math.max(...lines.slice(2).map((line) => Math.abs(line[k])));
       lines.slice(2).forEach((line, i) => assert.ok(Math.abs(line[k] - shown.rows[i][1]) <= (0.51 * most) / 32767, `${i}`));
-      await moves(page, / at 0\.00 s, in real time/);
+      await moves(page, / at 0\.00 s, motion scaled/);
       // Tyre forces over that at rest, as the load cell reads their change.
       const scrub = page.locator('#vehicle input[aria-label="time of the recording"]');
       await scrub.evaluate((slider) => {

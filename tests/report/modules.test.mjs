@@ -114,7 +114,7 @@ describe('the playhead', () => {
 
 const { valuesOf } = await source('packed_columns.js');
 const { compareCells, numberOf } = await source('tables.js');
-const { effectiveNumber, ratioOf, squaresOf } = await source('paired.js');
+const { effectiveNumber, ratioOf, sideOf, squaresOf } = await source('paired.js');
 const { covarianceOf, resolved } = await source('live/resolved.js');
 const { residualsOf } = await source('live/misfit.js');
 const { withValues } = await source('live/vehicle_file.js');
@@ -180,6 +180,8 @@ describe('errors in pairs', () => {
     assert.deepEqual(ratioOf(half, a), { ratio: 0.5, lower: 0.5, upper: 0.5 });
     const { lower, upper } = ratioOf(noise(100), a);
     assert.ok(lower < 1 && upper > 1, `${lower} ${upper}`);
+    // 1.00 (1.00 ... 1.00) is no difference, whatever the digits behind.
+    assert.deepEqual([sideOf({ lower: 1.001, upper: 1.003 }), sideOf({ lower: 1.02, upper: 1.2 }), sideOf({ lower: 0.5, upper: 0.98 })], ['alike', 'worse', 'better']);
     assert.equal(ratioOf([1, 2], [1, 2]), null, 'two frequencies say nothing');
   });
 });

@@ -387,7 +387,7 @@ test('the report of a fit to time histories opens without a fault', async () => 
   await page.locator('button.play').click();
   assert.ok((await picture()) !== still, 'a playing vehicle moves');
   await scrub.fill('17.45');
-  assert.match(await page.locator('.viewer .caption').textContent(), /^sweep_12mm at 17\.4\d s, in real time, 5\d frames per second, motion scaled by \d\S*, tyre force \d\.\d\d of that at rest$/);
+  assert.match(await page.locator('.viewer .caption').textContent(), /^sweep_12mm at 17\.4\d s, motion scaled by \d\S*, tyre force \d\.\d\d of that at rest$/);
   const width = await page.locator('#histories .u-over').first().evaluate((element) => element.clientWidth);
   // Half of the recording.
   assert.ok(Math.abs((await line()) - 0.5 * width) < 0.01 * width);

@@ -10,7 +10,7 @@ import { fitted, fourpost, poorlyFitted, scratch } from './runs.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', 'live', name)).href);
 const { misfitOf, squaresOf } = await source('misfit.js');
-const { asOptions, shareOf, valueAt } = await source('setting.js');
+const { asOptions, shareOf, typedValue, valueAt } = await source('setting.js');
 const { named } = await source('whatif.js');
 
 /** The page's --whatif. */
@@ -38,7 +38,7 @@ async function opened(file = report, options = {}) {
 const slider = (page, name) => page.locator(`.whatif .row[data-parameter="${name}"] input[type=range]`);
 
 async function set(page, name, value) {
-  const field = page.locator(`.whatif .row[data-parameter="${name}"] input[type=number]`);
+  const field = page.locator(`.whatif .row[data-parameter="${name}"] input.number`);
   await field.fill(String(value));
   await field.press('Enter');
   // The answer of all recordings comes when the hand rests.
@@ -93,16 +93,16 @@ describe('sliders', () => {
     const modes = () => page.locator('.whatif tbody').allInnerTexts();
     const misfit = () => page.locator('.whatif .misfit').textContent();
     const [before, modesBefore, misfitBefore] = [await picture(), await modes(), await misfit()];
-    await set(page, 'k_front', 90);
+    await set(page, 'k_front', 75);
     assert.notEqual(await picture(), before);
     assert.notDeepEqual(await modes(), modesBefore);
     const [, from, to] = /([\d.]+) \u2192 ([\d.]+)/.exec(await misfit());
     assert.ok(+to > +from, 'the fit has the least misfit');
-    assert.equal(await page.locator('.whatif .options').inputValue(), '--set k_front=90kN/m');
+    assert.equal(await page.locator('.whatif .options').inputValue(), '--set k_front=75kN/m');
     await page.locator('.whatif button', { hasText: 'undo' }).click();
     await page.waitForTimeout(600);
     assert.deepEqual([await modes(), await misfit()], [modesBefore, misfitBefore]);
-    await set(page, 'k_front', 90);
+    await set(page, 'k_front', 75);
     await page.locator('.whatif button', { hasText: /^A$/ }).click();
     await page.waitForTimeout(600);
     assert.equal(await misfit(), misfitBefore, 'A is the fit until it is moved');
@@ -112,12 +112,72 @@ describe('sliders', () => {
 
   test('give the frequencies that the program gives', async () => {
     const page = await opened();
-    await set(page, 'k_front', 90);
-    const shown = await page.locator('.whatif tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent)));
-    const printed = JSON.parse(fourpost('modes', join(run, 'vehicle.urdf'), '--set', 'k_front=90kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
+    await set(page, 'k_front', 75);
+    const shown = await page.locator('.whatif tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent.split('\u2192').pop())));
+    const printed = JSON.parse(fourpost('modes', join(run, 'vehicle.urdf'), '--set', 'k_front=75kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
     assert.equal(shown.length, printed.length);
     // Three digits are shown.
     printed.forEach(({ frequency_Hz }, i) => assert.ok(Math.abs(shown[i] / frequency_Hz - 1) < 0.006, `${shown[i]} ${frequency_Hz}`));
+    await page.context().close();
+  });
+
+  test('take changes relative to the fit, and say what they do not take', async () => {
+    const page = await opened();
+    const field = page.locator('.whatif .row[data-parameter=k_front] input.number');
+    const said = page.locator('.whatif .calls');
+    const fit = Number(await field.inputValue());
+    await set(page, 'k_front', '-10 %');
+    assert.ok(Math.abs(Number(await field.inputValue()) / fit - 0.9) < 1e-4);
+    assert.equal(await said.textContent(), '');
+    await set(page, 'k_front', '*1.1');
+    assert.ok(Math.abs(Number(await field.inputValue()) / fit - 1.1) < 1e-4);
+    const before = await field.inputValue();
+    await set(page, 'k_front', -5);
+    assert.match(await said.textContent(), /^k_front must be positive; -5 kN\/m was not taken\. k_front stays/);
+    assert.equal(await field.inputValue(), before);
+    await set(page, 'k_front', 9000);
+    assert.match(await said.textContent(), /above its upper bound; set to 80 kN\/m/);
+    assert.equal(await field.inputValue(), '80');
+    assert.equal(await page.locator('.whatif .held').count(), 0, 'held where nothing follows');
+    await page.context().close();
+  });
+
+  test('show what a mode was and is, in the table and in the list of motions', async () => {
+    const page = await opened();
+    const option = page.locator('#vehicle select option', { hasText: /^heave,/ });
+    const was = await option.textContent();
+    assert.doesNotMatch(await page.locator('.whatif tbody').innerText(), /\u2192/);
+    await set(page, 'k_front', 75);
+    const heave = page.locator('.whatif tbody tr', { hasText: 'heave' });
+    for (const column of [1, 2]) assert.match(await heave.locator('td').nth(column).textContent(), /^[\d.]+ \u2192 [\d.]+$/);
+    assert.notEqual(await option.textContent(), was);
+    await page.context().close();
+  });
+
+  test('let others follow at once in an address that was opened', async () => {
+    const page = await open(browser, report);
+    await page.goto('about:blank');
+    await page.goto(`file://${encodeURI(report)}#responses&whatif=k_front%3A60`);
+    await page.waitForSelector('.whatif');
+    const other = page.locator('.whatif .row[data-parameter=m_sprung] input.number');
+    const before = await other.inputValue();
+    await page.locator('.whatif label', { hasText: 'others follow' }).locator('input').check();
+    assert.notEqual(await other.inputValue(), before);
+    assert.match(await page.locator('.whatif .held').allTextContents().then((all) => all.join()), /k_front/);
+    const followed = await other.inputValue();
+    await page.reload();
+    await page.waitForSelector('.whatif');
+    assert.equal(await other.inputValue(), followed);
+    assert.equal(await page.locator('.whatif .held').count(), 1, 'the address says which is held');
+    await page.context().close();
+  });
+
+  test('and the table speak of one confidence', async () => {
+    const page = await opened();
+    const { intervals } = dataOf(report).result;
+    const head = (await page.locator('#parameters th', { hasText: 'interval of' }).textContent()).replaceAll('\u00a0', ' ');
+    assert.ok(head.includes(`interval of ${intervals.confidence}`), head);
+    assert.ok((await page.locator('.whatif .note').last().textContent()).includes(`interval of ${intervals.confidence}`));
     await page.context().close();
   });
 
@@ -194,6 +254,19 @@ describe('what sliders compute', () => {
     const far = { lower: 1, upper: 1e4 };
     assert.equal(shareOf(far, 100), 0.5);
     assert.ok(Math.abs(valueAt(far, 0.5) - 100) < 1e-9);
+  });
+
+  test('what is typed is a value, or a change of the fit', () => {
+    const k = { name: 'k', unit: 'kN/m', lower: 10, upper: 100, value: 50 };
+    for (const [text, value] of [['42', 42], ['4,2e1', 42], ['-30 %', 35], ['+10%', 55], ['\u221210 %', 45], ['*0.7', 35], ['/2', 25]]) {
+      const typed = typedValue(k, text);
+      assert.ok(Math.abs(typed.value - value) < 1e-9, text);
+      assert.equal(typed.said, undefined);
+    }
+    for (const text of ['', 'soft', '30 %', '*', '/0', '-5', '0', '*-1']) assert.equal(typedValue(k, text).value, undefined, text);
+    assert.deepEqual(typedValue(k, '200'), { value: 100, said: 'k: 200 is above its upper bound; set to 100 kN/m.' });
+    assert.equal(typedValue(k, '1').value, 10);
+    assert.equal(typedValue({ ...k, lower: -10 }, '-5').value, -5);
   });
 
   test('options name what differs from the fit, with its unit', () => {

@@ -268,7 +268,7 @@ describe('an address', () => {
     await page.goto('about:blank');
     await page.goto(`file://${encodeURI(report)}#responses&whatif=k_front%3A70`);
     await page.waitForSelector('.whatif');
-    assert.equal(await page.locator('.whatif .row[data-parameter=k_front] input[type=number]').inputValue(), '70');
+    assert.equal(await page.locator('.whatif .row[data-parameter=k_front] input.number').inputValue(), '70');
     assert.equal(await page.locator('.whatif .options').inputValue(), '--set k_front=70kN/m');
     // The vehicle and the map of poles follow.
     await page.locator('#modes .moved path').first().waitFor({ state: 'attached' });
@@ -286,7 +286,7 @@ describe('sliders', () => {
     await page.waitForSelector('.whatif');
     return page;
   };
-  const field = (page, name) => page.locator(`.whatif .row[data-parameter="${name}"] input[type=number]`);
+  const field = (page, name) => page.locator(`.whatif .row[data-parameter="${name}"] input.number`);
 
   test('of others follow the data while one is held', async () => {
     const page = await opened();
@@ -323,6 +323,20 @@ describe('sliders', () => {
 });
 
 describe('the measured car', () => {
+  test('is said to be missing where a motion has none', async () => {
+    const page = await open(browser, report);
+    const box = page.locator('#vehicle label', { hasText: 'measured car' });
+    const select = page.locator('#vehicle select');
+    await select.selectOption('mode 0');
+    assert.ok(await box.locator('input').isDisabled());
+    assert.match(await box.textContent(), /a mode is a shape of the model/);
+    await select.selectOption('response 0');
+    assert.ok(await box.locator('input').isEnabled());
+    await select.selectOption('history 0');
+    assert.match(await box.textContent(), /no measured motion here/);
+    await page.context().close();
+  });
+
   test('is drawn over the modelled one where sensors saw it', async () => {
     const page = await open(browser, report);
     await page.locator('#vehicle').scrollIntoViewIfNeeded();
@@ -436,10 +450,44 @@ describe('another report', () => {
     const words = page.locator('#responses details summary', { hasText: /^model1: \d+ channels better than this fit, \d+ worse/ });
     await words.waitFor();
     assert.ok((await coloured(canvas, green)) > before + 100);
-    assert.match(await page.locator('#responses [role=status]').textContent(), /study\.yaml is not compared: this is no page/);
+    assert.match(await page.locator('#responses [role=status]').textContent(), /^Compared with model1.*study\.yaml is not compared: this is no page/);
+    await page.waitForFunction(() => {
+      const { top, bottom } = document.querySelector('#responses [role=status]').getBoundingClientRect();
+      return top > 0 && bottom < innerHeight;
+    });
+    // Parameters of both, too.
+    assert.match(await page.locator('#responses .dropped .note').textContent(), /Values and intervals/);
+    assert.ok((await page.locator('#responses .dropped .lanes').count()) > 5);
     assert.equal(await page.locator('#responses .chart h3').first().locator('span').first().textContent(), heading, 'the figures stay those of the fit');
+    await page.locator('#responses .dropped button', { hasText: 'remove model1' }).click();
+    assert.equal(await page.locator('#responses .dropped').count(), 0);
+    assert.ok((await coloured(canvas, green)) <= before + 20, 'its curves are gone');
     assert.deepEqual(page.faults, []);
     await page.context().close();
+  });
+});
+
+describe('a cell of the map of residuals', () => {
+  test('leads to its frequencies, and a button back to all', async () => {
+    const page = await open(browser, report);
+    const back = page.locator('#responses .back');
+    assert.ok(await back.isHidden());
+    await page.locator('#summary .maps rect').first().click();
+    assert.ok(await back.isVisible());
+    await back.click();
+    assert.ok(await back.isHidden());
+    await page.context().close();
+  });
+});
+
+describe('pictures of the program', () => {
+  test('take the theme', async () => {
+    for (const [dark, ground] of [[false, 'rgb(255, 255, 255)'], [true, 'rgb(20, 24, 27)']]) {
+      const page = await open(browser, report, { dark });
+      const rect = page.locator('#missing-force .picture svg > rect').first();
+      assert.equal(await rect.evaluate((one) => getComputedStyle(one).fill), ground);
+      await page.context().close();
+    }
   });
 });
 

@@ -30,11 +30,11 @@ std::string ExplanationTable(const nlohmann::json& missing) {
   std::vector<std::vector<html::Cell>> rows;
   for (const nlohmann::json& one : ListAt(missing, "explanations")) {
     const double share = std::abs(NumberAt(one, "sd") / NumberAt(one, "amount"));
-    rows.push_back({html::TextCell(TextAt(one, "text")), html::NumberCell(TextAt(one, "amount_text")),
+    rows.push_back({{html::Escaped(TextAt(one, "text")), "wrap"}, html::NumberCell(TextAt(one, "amount_text")),
                     html::NumberCell(ShownNumber(100 * share, 2)), html::NumberCell(BandOf(one)),
                     html::NumberCell(ShownNumber(NumberAt(one, "largest"), 2)),
                     html::NumberCell(ShownNumber(NumberAt(one, "explains_percent"), 2)),
-                    html::TextCell(RivalsOf(one))});
+                    {html::Escaped(RivalsOf(one)), "wrap"}});
   }
   if (rows.empty())
     return NumberAt(missing, "misfit") > kBeyondNoise

@@ -46,6 +46,49 @@ TEST(ParameterTable, MarksEndsThatAreCutAtABound) {
   EXPECT_THAT(ParameterTableHtml({Known()}, ""), Not(HasSubstr("interval cut")));
 }
 
+TEST(ParameterTable, WritesTheEndsOfTheIntervalAndWhereABoundCutsThem) {
+  EXPECT_THAT(ParameterTableHtml({Known()}, "", "80 to 90 %"),
+              AllOf(HasSubstr("interval of 80\u00a0to\u00a090\u00a0%"), HasSubstr(">98.0 \u2026 102.0<")));
+  ReportedParameter cut = Known();
+  cut.upper_95 = cut.upper;
+  EXPECT_THAT(ParameterTableHtml({cut}, ""),
+              AllOf(HasSubstr(">98.0 \u2026 150\u202f\u2192<"), HasSubstr("class=\"interval above\"")));
+}
+
+TEST(ParameterTable, SaysInWordsWhatLimitsAndWhatToDo) {
+  ReportedParameter wide = Known();
+  wide.limited_by = "model: 2.4 .. 4.8 Hz";
+  EXPECT_THAT(ParameterTableHtml({wide}, ""),
+              AllOf(HasSubstr("limited by the model (2.4 to 4.8 Hz)"), HasSubstr("add to the model what they ask for")));
+  wide.limited_by = "noise";
+  EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("title=\"Measure longer or more often.\""));
+}
+
+TEST(IntervalBasis, SaysWhatWouldNarrowTheIntervals) {
+  ReportedParameter m = Known();
+  m.limited_by = "held: kt";
+  m.noise_factor = 4.9;
+  const nlohmann::json result = {
+      {"misfit", 2.2},
+      {"intervals",
+       {{"model_error", true},
+        {"ways", {{{"by", "octaves"}}}},
+        {"contradictions",
+         {{{"parameter", "m"}, {"without", "static loads"}, {"shift", -0.0548}, {"in_sd_of_noise", 15}}}}}}};
+  EXPECT_THAT(IntervalBasisHtml({m}, result),
+              AllOf(HasSubstr("by octaves"), HasSubstr("intervals would be 4.9 times narrower"),
+                    HasSubstr("Measure kt, or free it"), HasSubstr("would change by \u22125.3 %")));
+  EXPECT_EQ(IntervalBasisHtml({Known()}, nlohmann::json::object()), "");
+}
+
+TEST(ModeTable, ShowsTheThreeLargestSharesAndTheRestOnDemand) {
+  nlohmann::json mode = {{"name", "heave"}, {"energy", nlohmann::json::array()}};
+  for (const double share : {0.1, 0.4, 0.2, 0.15, 0.15})
+    mode["energy"].push_back({{"motion", "body"}, {"share", share}});
+  EXPECT_THAT(ModeTableHtml({mode}), AllOf(HasSubstr("body 40\u00a0%, body 20\u00a0%, body 15\u00a0% <details"),
+                                           HasSubstr("<summary>2 more</summary>")));
+}
+
 TEST(ParameterTable, CallsWhatIsAsWideAsItsValueNotDetermined) {
   ReportedParameter wide = Known();
   wide.sd = 120;
@@ -57,7 +100,7 @@ TEST(ParameterTable, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
   ReportedParameter wide = Known();
   wide.limited_by = "held: kt";
   wide.held_factor = 4;
-  EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("limited by held: kt (4.0 times smaller if that were known)"));
+  EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("limited by the held kt (4.0 times smaller if that were known)"));
   wide.held_factor = 1.2;
   EXPECT_THAT(ParameterTableHtml({wide}, ""), Not(HasSubstr("if that were known")));
 }

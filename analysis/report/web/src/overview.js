@@ -73,7 +73,7 @@ export function drawOverview(place, data) {
   const isNarrow = room < 640;
   const width = isNarrow ? room : Math.min(640, Math.max(280, (room - 16 * (recordings.length - 1)) / recordings.length));
   place.append(
-    el('p', { class: 'note' }, 'Where the model is off: the largest residual of each channel and frequency of the fitted band, white within 2 standard deviations of noise and stated model error, full colour from 8. A cell leads to its curve.'),
+    el('p', { class: 'note' }, 'Where the model is off: the largest residual of each channel and frequency of the fitted band, faint within 2 standard deviations of noise and stated model error, full colour from 8. A cell leads to its curve.'),
     el('div', { class: 'maps' }, ...recordings.map((recording) => mapOf(recording, channels.filter((channel) => channel.recording === recording), band, names, width))),
   );
 }

@@ -42,6 +42,12 @@ export function ratioOf(squares, reference) {
   return { ratio, lower: ratio * Math.exp(-reach), upper: ratio * Math.exp(reach) };
 }
 
+/** Whether a run is worse, better or alike: a difference counts beyond noise, and where the printed digits show it. */
+export function sideOf({ lower, upper }) {
+  if (Number(lower.toFixed(2)) > 1) return 'worse';
+  return Number(upper.toFixed(2)) < 1 ? 'better' : 'alike';
+}
+
 /** Of what a bar shows: ratios from 1/4 to 4. */
 const widest = 4;
 const placeOf = (ratio) => `${(100 * Math.min(1, Math.max(0, 0.5 + Math.log(ratio) / (2 * Math.log(widest))))).toFixed(2)}%`;
@@ -50,9 +56,9 @@ const placeOf = (ratio) => `${(100 * Math.min(1, Math.max(0, 0.5 + Math.log(rati
 export function ratioCell(compared, run, name, reference) {
   if (!compared) return el('td', {}, '');
   const { ratio, lower, upper } = compared;
-  const differs = lower > 1 || upper < 1;
+  const differs = sideOf(compared) !== 'alike';
   const colour = `var(--${runLine(run).colour})`;
-  const words = differs ? `${name} is ${ratio > 1 ? 'worse' : 'better'} than ${reference}` : 'no difference beyond what is left to chance';
+  const words = differs ? `${name} is ${sideOf(compared)} than ${reference}` : 'no difference beyond what is left to chance';
   return el(
     'td',
     { title: words },
@@ -85,7 +91,7 @@ export function drawComparedErrors(place, { comparison: { runs: names, bands, re
         el('td', {}, el('code', {}, entry.name)),
         ...others.map((run) => {
           const compared = squares.has(run) && squares.has(reference) ? ratioOf(within(squares.get(run), run), within(squares.get(reference), run)) : null;
-          if (compared) count[compared.lower > 1 ? 'worse' : compared.upper < 1 ? 'better' : 'alike'] += 1;
+          if (compared) count[sideOf(compared)] += 1;
           return ratioCell(compared, run, names[run], names[reference]);
         }),
       );
@@ -97,7 +103,7 @@ export function drawComparedErrors(place, { comparison: { runs: names, bands, re
   place.append(
     el('h3', {}, 'Errors beside those of one run'),
     el('div', { class: 'controls' }, choice('beside', names.map((name, i) => [i, name]), 0, show)),
-    el('p', { class: 'note' }, `Ratio of root mean square errors of a channel over the frequencies that both fitted, on a scale of 1/${widest} to ${widest}, with its interval of 95 % by the differences at each frequency. Filled: differs from 1; hollow: may be chance.`),
+    el('p', { class: 'note' }, `Ratio of root mean square errors of a channel over the frequencies that both fitted, on a scale of 1/${widest} to ${widest}, with its interval of 95 % by the differences at each frequency. Filled: differs from 1 beyond noise and at the digits shown; hollow: may be chance.`),
     box,
   );
   show(0);

@@ -16,11 +16,14 @@ function polesOf(modes) {
   });
 }
 
-/** Beside the pole first, then above and below. */
+/** Beside the pole first, then above and below, further off with a line to it. */
 function places(isLeft) {
   const sides = [isLeft, !isLeft];
-  return [...sides.map((side) => [side, 0]), ...[-13, 13, -26, 26, -39, 39].map((shift) => [isLeft, shift])];
+  return [...sides.map((side) => [side, 0]), ...[-13, 13, -26, 26, -39, 39, -52, 52, -65, 65, -78, 78, -91, -104, -117].flatMap((shift) => sides.map((side) => [side, shift]))];
 }
+
+/** What a reader looks for first: motions of the whole body. */
+const isBodys = (name) => /^(heave|pitch|roll|yaw|bounce|warp|lateral|fore)/.test(name);
 
 const areApart = (a, b) => Math.abs(a.y - b.y) > 11 || a.x > b.x + b.length || b.x > a.x + a.length;
 
@@ -28,7 +31,7 @@ const areApart = (a, b) => Math.abs(a.y - b.y) > 11 || a.x > b.x + b.length || b
 function placed(points, { width, height }, others) {
   const taken = [...others, ...points.map(({ x, y }) => ({ x: x - 6, y: y - 6, length: 12 }))];
   return points
-    .sort((a, b) => a.y - b.y || a.x - b.x)
+    .sort((a, b) => isBodys(b.name) - isBodys(a.name) || a.y - b.y || a.x - b.x)
     .map((point) => {
       const length = 6.4 * point.name.length + 8;
       for (const [toLeft, shift] of places(point.x + length > width - margin.right)) {
@@ -110,6 +113,11 @@ export function drawPoles(place, data) {
     cross.style.stroke = 'var(--model)';
     cross.append(svg('title', {}, `${pole.name}: ${shown(pole.re, 4)} + ${shown(pole.im, 4)}i 1/s`));
     picture.append(cross);
+    if (pole.labelX && Math.abs(pole.labelY - pole.y) > 13) {
+      const way = line(pole.x, pole.y, pole.labelX, pole.labelY);
+      way.style.stroke = 'var(--muted)';
+      picture.append(way);
+    }
     if (pole.labelX) picture.append(text([pole.labelX, pole.labelY + 4], { 'text-anchor': pole.anchor }, pole.name));
   }
   const moved = svg('g', { class: 'moved' });

@@ -38,11 +38,18 @@ const drawers = {
   compared_bench: drawComparedBench,
 };
 
+/** A word for the menu: its id, or its heading where there are several of a kind, as axles are. */
+function nameOf(section) {
+  const heading = section.querySelector('h2')?.textContent;
+  if (/\d$/.test(section.id) && heading) return heading;
+  return section.id[0].toUpperCase() + section.id.slice(1).replaceAll('-', ' ');
+}
+
 /** Links to the sections, the one in view marked. */
 function drawContents() {
   const links = new Map();
   for (const section of document.querySelectorAll('main > section'))
-    links.set(section, el('a', { href: `#${section.id}` }, section.id[0].toUpperCase() + section.id.slice(1).replaceAll('-', ' ')));
+    links.set(section, el('a', { href: `#${section.id}` }, nameOf(section)));
   const list = el('div', {}, ...links.values());
   const nav = document.getElementById('contents');
   nav.setAttribute('aria-label', 'contents');

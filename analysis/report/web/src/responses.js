@@ -1,13 +1,14 @@
 import uPlot from 'uplot';
 import { inAddress, putInAddress } from './address.js';
 import { choice, el, tick } from './dom.js';
-import { comparisonOf, dataOf, lineOf, sharedWith, takeFiles } from './dropped.js';
+import { comparisonOf, dataOf, lineOf, parametersOf, sharedWith, takeFiles } from './dropped.js';
 import { onFocus } from './focus.js';
 import { readable } from './histories.js';
 import { legend } from './legend.js';
 import { fit as fitName } from './line_name.js';
 import { onAnswer } from './live/answers.js';
 import { canFollow, openWhatIf } from './live/whatif.js';
+import { listOf } from './number.js';
 import { fittedBand } from './residuals.js';
 import { isWeighed, weighed } from './residual_strip.js';
 import { card } from './response_card.js';
@@ -60,7 +61,10 @@ export function drawResponses(place, data) {
       .filter((channel) => channel.recording === recording)
       .map((channel) => card({ ...channel, lines: [...linesOf(channel, state.start, state.whatIf), ...state.others.flatMap((other) => (other.shared.has(channel) ? [lineOf(other, other.shared.get(channel))] : []))] }, hasBand ? [band] : [], sync, state.axes === 'band' && hasBand ? band : null));
   };
+  /** After a cell of a map led to some frequencies. */
+  const back = el('button', { type: 'button', class: 'back', hidden: true, onclick: () => redraw() }, 'show the whole range again');
   const redraw = () => {
+    back.hidden = true;
     cards = cardsOf(state.recording);
     charts.replaceChildren(...cards.map(({ box }) => box));
     for (const { draw } of cards) draw();
@@ -102,7 +106,7 @@ export function drawResponses(place, data) {
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ...(hasAreas ? [['patch', 'model', 'bands of 95 %: inner, of the parameters; outer, of new measured points']] : []),
       ...(hasBand ? [['patch', 'line', 'not fitted']] : []),
-      ...(hasStrips ? [['line', 'text', 'residual along (gain)'], ['dash', 'text', 'across (phase)'], ['patch', 'strip', '\u00b12 sd']] : []),
+      ...(hasStrips ? [['line', 'model', 'residual along (gain)'], ['dash', 'model', 'across (phase)'], ['patch', 'strip', '\u00b12 sd']] : []),
     );
   const key = el('div', {}, marks(false));
   const show = (on) => {
@@ -119,27 +123,50 @@ export function drawResponses(place, data) {
     if (!found) return;
     // A little more than the octave, and its neighbours' beginnings.
     if (low) for (const one of cards) one.show(low / 1.15, high * 1.15);
+    if (low) back.hidden = false;
     // Charts have their heights from the next frame on.
     requestAnimationFrame(() => found.box.scrollIntoView({ block: 'center' }));
     found.box.classList.add('found');
     setTimeout(() => found.box.classList.remove('found'), 1600);
   });
   const compared = el('div');
+  const told = el('p', { class: 'note', role: 'status' });
+  const redrawAll = () => {
+    key.replaceChildren(marks(state.whatIf));
+    redraw();
+  };
+  const add = (one) => {
+    const { box, words } = comparisonOf(all, one, () => {
+      state.others = state.others.filter((other) => other !== one);
+      box.remove();
+      told.textContent = `${one.name} is removed.`;
+      redrawAll();
+    });
+    state.others.push(one);
+    compared.append(box);
+    return `Compared with ${words}${one.parameters.length ? `; ${one.parameters.length} parameters side by side` : ''}.`;
+  };
+  const freePlace = () => [2, 3, 4, 5].find((place) => state.others.every((other) => other.place !== place)) ?? 2;
   const take = async (files) => {
+    const words = [];
     for (const file of files) {
       try {
         const other = dataOf(await file.text());
-        const name = [file.name.replace(/\.html$/, ''), other.result?.study?.replace(/\.ya?ml$/, '')].filter((part) => part && part !== 'report').join(' ') || 'other';
-        const one = { name, place: 2 + (state.others.length % 4), shared: sharedWith(all, other.responses) };
+        const ofFile = [file.name.replace(/\.html$/, ''), other.result?.study?.replace(/\.ya?ml$/, '')].filter((part) => part && part !== 'report').join(' ') || 'other';
+        const taken = (name) => name === data.result?.study?.replace(/\.ya?ml$/, '') || state.others.some((one) => one.name === name);
+        const name = taken(ofFile) ? `${ofFile} (${state.others.length + 2})` : ofFile;
+        const place = freePlace();
+        const parameters = parametersOf(listOf(data.result?.parameters), listOf(other.result?.parameters), place, data.live?.parameters);
+        const one = { name, place, shared: sharedWith(all, other.responses), parameters };
         if (!one.shared.size) throw new Error('it has no channel that was measured alike');
-        state.others.push(one);
-        compared.append(comparisonOf(all, one));
+        words.push(add(one));
       } catch (error) {
-        compared.append(el('p', { class: 'note', role: 'status' }, `${file.name} is not compared: ${error.message}.`));
+        words.push(`${file.name} is not compared: ${error.message}.`);
       }
     }
-    key.replaceChildren(marks(state.whatIf));
-    redraw();
+    told.textContent = words.join(' ');
+    redrawAll();
+    told.scrollIntoView({ block: 'center' });
   };
   if (isMeasured) controls.append(takeFiles(take));
   // On paper every recording.
@@ -172,8 +199,10 @@ export function drawResponses(place, data) {
       if (answer) follow(answer);
     });
   }
+  controls.append(back);
   place.append(
     controls,
+    told,
     compared,
     key,
     el('p', { class: 'note' }, `Gain in dB, phase in degrees${isMeasured ? ' and, where it was measured, mean offset in mm,' : ''} over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} ${isMeasured ? 'The cursor shows model/measured. ' : ''}Drag to zoom all charts, double-click to reset.${hasStrips ? ' Below them residuals in standard deviations, of noise and stated model error: within \u00b12 are 95 % of them where the model explains the data.' : ''}`),

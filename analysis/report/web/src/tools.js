@@ -174,11 +174,36 @@ export function framed(title, picture, columns) {
   return box;
 }
 
-/** Pictures that the program has drawn can be saved too. */
+/** Colours of the program's pictures as the page has them. */
+const themed = { '#fff': 'ground', '#ffffff': 'ground', '#222': 'text', '#222222': 'text', '#666': 'muted', '#666666': 'muted', '#999999': 'start', '#0072b2': 'measured', '#d55e00': 'model', '#ddd': 'line', '#dddddd': 'line', '#ccc': 'line', '#cccccc': 'line', '#d4d4d4': 'line', '#e5e5e5': 'line', '#eee': 'faint' };
+
+let pictures = 0;
+
+/** A picture of the program in the colours and letters of the page, which follow its theme. */
+function inTheme(image) {
+  const picture = ofImage(image);
+  picture.querySelector('title')?.remove();
+  for (const element of [picture, ...picture.querySelectorAll('*')]) {
+    element.removeAttribute('font-family');
+    for (const name of ['fill', 'stroke']) {
+      const colour = themed[(element.getAttribute(name) ?? '').toLowerCase()];
+      if (colour) element.style[name] = `var(--${colour})`;
+    }
+  }
+  // Names of parts are those of one picture alone.
+  const own = `still${++pictures}`;
+  for (const element of picture.querySelectorAll('[id]')) element.id = `${own}-${element.id}`;
+  for (const element of picture.querySelectorAll('[clip-path]')) element.setAttribute('clip-path', element.getAttribute('clip-path').replace('url(#', `url(#${own}-`));
+  picture.setAttribute('role', 'img');
+  picture.setAttribute('aria-label', image.alt);
+  return picture;
+}
+
+/** Pictures that the program has drawn take the page's theme and can be saved too. */
 export function saveStills() {
   for (const image of document.querySelectorAll('img.still')) {
     const box = el('div', { class: 'chart' });
     image.replaceWith(box);
-    box.append(el('h3', {}, image.alt, el('span', { class: 'tools' }, saving(image.alt, () => ofImage(image)))), image);
+    box.append(el('h3', {}, image.alt, el('span', { class: 'tools' }, saving(image.alt, () => ofImage(image)))), el('div', { class: 'picture' }, inTheme(image)));
   }
 }

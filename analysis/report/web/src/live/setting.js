@@ -20,6 +20,28 @@ export function inSi(parameters, values) {
   return si;
 }
 
+const numberIn = (text) => (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : null);
+
+/**
+ * What a reader typed for a parameter: {value, said}, `said` where it is not what was typed; without a value it is refused.
+ * A number, or a change relative to the fit: "-30 %", "*0.7", "/2".
+ */
+export function typedValue(parameter, text) {
+  const { name, unit, lower, upper, value: fit } = parameter;
+  const plain = text.replaceAll(/\s/g, '').replaceAll('\u2212', '-').replaceAll('\u00d7', '*').replace(',', '.');
+  const of = (number, unitOf = ` ${unit}`) => `${Number(number.toPrecision(4))}${unit === '1' ? '' : unitOf}`;
+  const [, sign, number, percent] = /^([*/]?)(.*?)(%?)$/.exec(plain);
+  const given = numberIn(number);
+  const isChange = percent && /^[+-]/.test(number);
+  if (given == null || (sign && percent) || (percent && !isChange) || (sign === '/' && given === 0))
+    return { said: `${name}: '${text.trim()}' is not understood; write a number, or a change of the fit as -30 % or *0.7.` };
+  const value = isChange ? fit * (1 + given / 100) : sign === '*' ? fit * given : sign === '/' ? fit / given : given;
+  if (lower > 0 && value <= 0) return { said: `${name} must be positive; ${of(value)} was not taken.` };
+  if (value < lower) return { value: lower, said: `${name}: ${of(value, '')} is below its lower bound; set to ${of(lower)}.` };
+  if (value > upper) return { value: upper, said: `${name}: ${of(value, '')} is above its upper bound; set to ${of(upper)}.` };
+  return { value };
+}
+
 /** At the digits that a slider can tell apart. */
 export const rounded = (parameter, value) => Number(value.toPrecision(4));
 

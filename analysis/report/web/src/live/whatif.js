@@ -4,7 +4,7 @@ import { inAddress, putInAddress } from '../address.js';
 import { fixed, shown } from '../number.js';
 import { tellAnswer } from './answers.js';
 import { misfitOf, polar, squaresOf } from './misfit.js';
-import { asOptions, inSi, rounded, shareOf, valueAt } from './setting.js';
+import { asOptions, inSi, rounded, shareOf, typedValue, valueAt } from './setting.js';
 import { linkMotion } from '../viewer/motion.js';
 import { covarianceOf, resolved } from './resolved.js';
 import { save } from '../tools.js';
@@ -110,16 +110,24 @@ class Car {
 const percent = (share) => `${fixed(100 * share, 2)}%`;
 
 /** A slider over the bounds with the fit, the start and the interval on its track, and a field for the number. */
-function row(parameter, change) {
+function row(parameter, change, type) {
   const { name, unit, value, start, interval_95: interval } = parameter;
-  const field = el('input', { type: 'number', step: 'any', 'aria-label': `${name}, ${unit}`, onchange: () => Number.isFinite(field.valueAsNumber) && change(field.valueAsNumber, true) });
+  const field = el('input', {
+    type: 'text',
+    inputMode: 'decimal',
+    class: 'number',
+    autocomplete: 'off',
+    'aria-label': `${name}, ${unit}`,
+    title: `a value from ${shown(parameter.lower, 4)} to ${shown(parameter.upper, 4)}, or a change of the fit: -30 %, +10 %, *0.7`,
+    onchange: () => type(field.value),
+  });
   const slide = (rests) => change(rounded(parameter, valueAt(parameter, Number(slider.value))), rests);
   const slider = el('input', { type: 'range', min: 0, max: 1, step: 'any', 'aria-label': name, oninput: () => slide(false), onchange: () => slide(true) });
   const mark = (of, at) => (at == null ? null : el('i', { class: of, style: { left: percent(shareOf(parameter, at)) } }));
   const band =
     interval?.[0] == null
       ? null
-      : el('i', { class: 'interval', style: { left: percent(shareOf(parameter, interval[0])), width: percent(shareOf(parameter, interval[1]) - shareOf(parameter, interval[0])) } });
+      : el('i', { class: `interval${interval[0] <= parameter.lower ? ' below' : ''}${interval[1] >= parameter.upper ? ' above' : ''}`, style: { left: percent(shareOf(parameter, interval[0])), width: percent(shareOf(parameter, interval[1]) - shareOf(parameter, interval[0])) } });
   const box = el(
     'div',
     { class: 'row', 'data-parameter': name },
@@ -136,12 +144,9 @@ function row(parameter, change) {
   return { box, show };
 }
 
-/** Modes beside those of the fit. */
+/** Modes beside those of the fit: "1.26 \u2192 1.31" where a mode moved. */
 function modeRows(modes) {
-  const change = (now, then) => {
-    const percents = 100 * (now / then - 1);
-    return Math.abs(percents) >= 0.05 ? `${percents < 0 ? '' : '+'}${fixed(percents, 1)} %` : '';
-  };
+  const moved = (then, now, text) => (then == null || text(then) === text(now) ? text(now) : [el('span', { class: 'then' }, `${text(then)} \u2192 `), text(now)]);
   return modes
     .filter(({ kind }) => kind !== 'free')
     .map(({ name, frequency_Hz, damping_ratio, of }) =>
@@ -149,9 +154,8 @@ function modeRows(modes) {
         'tr',
         {},
         el('td', { class: 'name' }, name || 'new'),
-        el('td', { class: 'n' }, shown(frequency_Hz, 3)),
-        el('td', { class: 'n' }, change(frequency_Hz, of?.frequency_Hz)),
-        el('td', { class: 'n' }, fixed(damping_ratio, 3)),
+        el('td', { class: 'n' }, moved(of?.frequency_Hz, frequency_Hz, (value) => shown(value, 3))),
+        el('td', { class: 'n' }, moved(of?.damping_ratio, damping_ratio, (value) => fixed(value, 3))),
       ),
     );
 }
@@ -169,6 +173,7 @@ export async function openWhatIf(data, shownRecording, shut) {
   /** What a hand has moved. */
   const held = { A: new Set(), B: new Set() };
   const covariance = covarianceOf(data.result, parameters);
+  const confidence = data.result.intervals?.confidence ?? '95 %';
   let others = false;
   let chosen = 'B';
   let before = [...fit];
@@ -179,10 +184,12 @@ export async function openWhatIf(data, shownRecording, shut) {
   const fitted = car.misfit(first);
   const misfit = el('b', { class: 'misfit' });
   const fault = el('p', { class: 'note', role: 'status' });
+  /** What was not taken as it was typed. */
+  const said = el('p', { class: 'note calls', role: 'status' });
   const modes = el('tbody');
   const options = el('input', { type: 'text', readOnly: true, 'aria-label': 'options of the program', class: 'options' });
   const undo = el('button', { type: 'button', onclick: () => { if (past.length) take(past.pop(), false); } }, 'undo');
-  const rows = parameters.map((parameter, i) => row(parameter, (value, rests) => set(i, value, rests)));
+  const rows = parameters.map((parameter, i) => row(parameter, (value, rests) => set(i, value, rests), (text) => type(i, text)));
 
   const values = () => settings[chosen];
 
@@ -206,10 +213,11 @@ export async function openWhatIf(data, shownRecording, shut) {
   const ask = () => (frame ??= requestAnimationFrame(() => answer(false)));
 
   function showAll() {
-    rows.forEach(({ show }, i) => show(values()[i], held[chosen].has(i)));
+    rows.forEach(({ show }, i) => show(values()[i], others && held[chosen].has(i)));
     options.value = asOptions(parameters, values());
     undo.disabled = !past.length;
     putInAddress('whatif', parameters.flatMap(({ name }, i) => (values()[i] === fit[i] ? [] : [`${name}:${Number(values()[i].toPrecision(6))}`])).join(','));
+    putInAddress('held', others ? [...held[chosen]].map((i) => parameters[i].name).join(',') || '-' : null);
   }
   /** The others where the data want them while those that a hand has moved are held. */
   function solveOthers() {
@@ -217,10 +225,17 @@ export async function openWhatIf(data, shownRecording, shut) {
     settings[chosen] = resolved(covariance, parameters, values(), [...held[chosen]]).map((value, k) => (held[chosen].has(k) ? value : rounded(parameters[k], value)));
     rows.forEach(({ show }, k) => show(values()[k], held[chosen].has(k)));
   }
+  function type(i, text) {
+    const { value, said: words = '' } = typedValue(parameters[i], text);
+    if (value == null) rows[i].show(values()[i], others && held[chosen].has(i));
+    else set(i, value, true);
+    said.textContent = value == null ? `${words} ${parameters[i].name} stays ${Number(values()[i].toPrecision(5))}.` : words;
+  }
   function set(i, value, rests) {
+    said.textContent = '';
     values()[i] = value;
     held[chosen].add(i);
-    rows[i].show(value, true);
+    rows[i].show(value, others);
     solveOthers();
     if (rests) {
       if (before.some((one, k) => one !== values()[k])) past.push(before);
@@ -234,6 +249,7 @@ export async function openWhatIf(data, shownRecording, shut) {
     settings[chosen] = [...list];
     held[chosen] = new Set(list.flatMap((value, i) => (value === fit[i] || others ? [] : [i])));
     before = [...list];
+    said.textContent = '';
     showAll();
     ask();
   }
@@ -270,10 +286,14 @@ export async function openWhatIf(data, shownRecording, shut) {
     ),
     fitted == null ? null : el('p', { class: 'figure' }, 'misfit of responses ', misfit),
     fault,
+    said,
     covariance
-      ? tick('others follow the data', false, (on) => {
+      ? tick('others follow the data', inAddress('held') != null, (on) => {
           others = on;
           if (on) past.push([...values()]);
+          if (on && !held[chosen].size) said.textContent = 'Move a slider: it is held there, and all others follow.';
+          else if (on && held[chosen].size === parameters.length) said.textContent = 'Every parameter was moved, so none can follow; reset, then move one.';
+          else said.textContent = '';
           solveOthers();
           before = [...values()];
           showAll();
@@ -282,16 +302,17 @@ export async function openWhatIf(data, shownRecording, shut) {
       : null,
     el('div', { class: 'rows' }, ...(split < 0 ? boxes : boxes.slice(0, split))),
     further.length ? el('details', { open: split === 0 }, el('summary', {}, split === 0 ? 'parameters' : 'not fitted'), el('div', { class: 'rows' }, ...further)) : null,
-    el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'change', '\u03b6'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
+    el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'damping ratio'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
     el('div', { class: 'copy' }, options, el('button', { type: 'button', onclick: copy }, 'copy')),
     data.live.file ? el('div', { class: 'copy' }, el('button', { type: 'button', onclick: saveVehicle }, 'save as vehicle file')) : null,
-    el('p', { class: 'note' }, split === 0 ? 'On each track: dot the value of the file.' : 'On each track: dot the fit, line the start, band the interval of 95 %. Where others follow the data, those that you moved are held, and all others go where the fit would put them, by its Jacobian.'),
+    el('p', { class: 'note' }, split === 0 ? 'On each track: dot the value of the file.' : `On each track: dot the fit, line the start, band the interval of ${confidence}. Where others follow the data, those that you moved are held, and all others go where the fit would put them, by its Jacobian.`),
   );
   function close() {
     clearTimeout(waits);
     if (frame) cancelAnimationFrame(frame);
     panel.remove();
     putInAddress('whatif', null);
+    putInAddress('held', null);
     tellAnswer(null);
     shut();
   }
@@ -299,7 +320,18 @@ export async function openWhatIf(data, shownRecording, shut) {
   // Of a link that was handed on.
   for (const [name, value] of (inAddress('whatif') ?? '').split(',').map((pair) => pair.split(':'))) {
     const i = parameters.findIndex((parameter) => parameter.name === name);
-    if (i >= 0 && Number.isFinite(Number(value))) values()[i] = Number(value);
+    if (i < 0) continue;
+    const typed = typedValue(parameters[i], value ?? '');
+    if (typed.said) said.textContent = typed.said;
+    if (typed.value == null) continue;
+    values()[i] = typed.value;
+    if (typed.value !== fit[i]) held[chosen].add(i);
+  }
+  // Of those that followed none was held.
+  if (covariance && inAddress('held') != null) {
+    others = true;
+    const names = inAddress('held').split(',');
+    held[chosen] = new Set(parameters.flatMap(({ name }, i) => (names.includes(name) ? [i] : [])));
   }
   before = [...values()];
   showAll();

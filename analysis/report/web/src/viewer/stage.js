@@ -380,15 +380,17 @@ export class Stage {
     const right = new Vector3().crossVectors(name === 'top' ? new Vector3(0, 1, 0) : up, direction).normalize();
     const over = new Vector3().crossVectors(direction, right);
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
+    const halves = [-0.5, 0.5];
+    const corners = halves.flatMap((x) => halves.flatMap((y) => halves.map((z) => new Vector3(x, y, z).multiply(span))));
+    // Lower than the middle, for the caption stands above.
+    const lift = 0.1 * Math.max(...corners.map((corner) => Math.abs(corner.dot(over))));
+    centre.addScaledVector(over, lift);
     // Far enough for every corner of the box.
     let distance = 0;
-    for (const x of [-0.5, 0.5])
-      for (const y of [-0.5, 0.5])
-        for (const z of [-0.5, 0.5]) {
-          const corner = new Vector3(x, y, z).multiply(span);
-          const half = Math.max(Math.abs(corner.dot(over)), Math.abs(corner.dot(right)) / this.camera.aspect);
-          distance = Math.max(distance, corner.dot(direction) + (1.08 * half) / tangent);
-        }
+    for (const corner of corners) {
+      const half = Math.max(Math.abs(corner.dot(over)) + lift, Math.abs(corner.dot(right)) / this.camera.aspect);
+      distance = Math.max(distance, corner.dot(direction) + (1.08 * half) / tangent);
+    }
     this.camera.position.copy(centre).addScaledVector(direction, distance);
     if (this.controls) this.controls.target.copy(centre);
     this.camera.lookAt(centre);

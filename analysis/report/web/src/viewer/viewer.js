@@ -25,12 +25,14 @@ function pointsOf(stage, scene) {
   return points;
 }
 
+const modeWords = ({ name, mode }) => `${name}, ${shown(mode.frequency_Hz, 3)} Hz, damping ratio ${shown(mode.damping_ratio, 2)}`;
+
 function optionsOf(motions) {
   const groups = { travel: el('optgroup', { label: 'Travels of the wheels' }), mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }), history: el('optgroup', { label: 'Time histories' }) };
   for (const motion of motions) {
     const words =
       motion.kind === 'mode'
-        ? `${motion.name}, ${shown(motion.mode.frequency_Hz, 3)} Hz, damping ratio ${shown(motion.mode.damping_ratio, 2)}`
+        ? modeWords(motion)
         : motion.kind === 'history'
           ? `${motion.name}, ${shown(lastOf(motion.motion) - motion.motion.start_s, 3)} s`
           : motion.name;
@@ -99,6 +101,11 @@ class Viewer {
     const now = followed(this.chosen, answer);
     this.moved = now === this.chosen ? null : now;
     this.answer = answer;
+    // The list has the modes of the car that moves.
+    for (const motion of this.motions) {
+      const option = motion.kind === 'mode' ? [...this.select.options].find(({ value }) => value === motion.id) : null;
+      if (option) option.textContent = modeWords(followed(motion, answer));
+    }
     this.draw();
   }
 
@@ -131,6 +138,7 @@ class Viewer {
       putInAddress('motion', select.value === this.first.id ? null : select.value);
       this.choose(this.motions.find((motion) => motion.id === select.value));
     } }, ...optionsOf(this.motions));
+    this.select = select;
     const views = [['corner', 'corner'], ['side', 'side'], ['front', 'front'], ['top', 'top']];
     select.value = inAddress('motion') ?? this.first?.id;
     if (!select.value && this.first) select.value = this.first.id;
@@ -149,12 +157,7 @@ class Viewer {
       this.motions.length ? el('label', {}, 'motion', select) : null,
       view,
       el('label', {}, 'scale', this.scale),
-      this.scene.motions.some(({ measured }) => measured)
-        ? tick('measured car', true, (on) => {
-            this.hasGhost = on;
-            this.draw();
-          })
-        : null,
+      this.#ghostTick(),
       this.scene.histories.length && cellsOf(this.scene).length
         ? tick('tyre forces', true, (on) => {
             this.hasForces = on;
@@ -167,6 +170,33 @@ class Viewer {
         this.draw();
       }),
     );
+  }
+
+  /** A box for the measured car, where some motion has one; for the others it is dead, and says why. */
+  #ghostTick() {
+    if (!this.scene.motions.some(({ measured }) => measured)) return null;
+    const label = tick('measured car', true, (on) => {
+      this.hasGhost = on;
+      this.draw();
+    });
+    this.ghost = { label, box: label.querySelector('input'), why: el('span', { class: 'why' }) };
+    label.append(this.ghost.why);
+    return label;
+  }
+
+  #setGhost() {
+    if (!this.ghost) return;
+    const reason = this.#whyNoGhost();
+    this.ghost.box.disabled = reason !== '';
+    this.ghost.label.classList.toggle('dead', reason !== '');
+    this.ghost.why.textContent = reason && `(${reason})`;
+  }
+
+  /** Why no measured motion is drawn; empty where it is. */
+  #whyNoGhost() {
+    if (this.chosen?.kind === 'response' && this.chosen.motion.measured) return '';
+    const why = { mode: 'a mode is a shape of the model, not measured', history: 'no measured motion here: only steady responses have one', travel: 'travels are not measured', response: 'no sensor saw this response' };
+    return why[this.chosen?.kind] ?? '';
   }
 
   #transport() {
@@ -228,6 +258,7 @@ class Viewer {
       this.phase = 0;
       this.station = Math.max(0, motion.motion.stations.findIndex(({ travel }) => travel === 0));
     }
+    this.#setGhost();
     // A travel is as large as it is.
     this.scale.disabled = this.isTravel;
     this.#setScrub();
@@ -299,7 +330,7 @@ class Viewer {
     }
     if (this.isTravel) return `${this.chosen.name} ${fixed(1000 * stationAt(this.chosen.motion, this.station).travel, 1)} mm, full geometry, as large as it is${missing}`;
     const larger = `motion scaled by ${shown(this.factor * this.strength, 2)}`;
-    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames per second, ${larger}${this.#forcesText()}${missing}`;
+    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, ${this.playing ? 'in real time, ' : ''}${larger}${this.#forcesText()}${missing}`;
     const frequency = this.chosen.motion.frequency_Hz[this.at];
     const amplitude = 1000 * this.chosen.motion.amplitude_m[this.at];
     return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, ${larger}${this.hasGhost && this.chosen.motion.measured ? ', blue lines the measured car' : ''}${this.#slower(frequency)}${missing}`;
@@ -314,7 +345,11 @@ class Viewer {
     if (on === this.playing || !this.chosen) return;
     this.playing = on;
     this.button.textContent = on ? 'pause' : 'play';
-    if (!on) return;
+    if (!on) {
+      // The caption says what moves.
+      this.draw();
+      return;
+    }
     let last = null;
     const step = (now) => {
       if (!this.playing) return;
