@@ -31,7 +31,7 @@ class FitLine {
                Best(progress.best_cost) + "; in all " + std::to_string(progress.paid) + " evaluations (" +
                std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
                std::to_string(progress.restored) + " from the archive)" +
-               (progress.coarse > 0 ? ", " + std::to_string(progress.coarse) + " coarse ones" : ""));
+               (progress.coarse > 0 ? "; " + std::to_string(progress.coarse) + " with a quarter of the frequencies" : ""));
   }
 
  private:

@@ -142,7 +142,7 @@ Problem ProblemOf(const VehicleObjective& objective, const FitOptions& options) 
 class RunningFit {
  public:
   RunningFit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
-             EvaluationStore* store)
+             EvaluationStore* store, EvaluationStore* coarse_store)
       : objective_(objective),
         options_(options),
         hooks_(hooks),
@@ -150,7 +150,10 @@ class RunningFit {
         archive_(ProblemOf(objective, options), options.threads, store) {
     archive_.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
     archive_.TellProgress([this](std::int64_t of_batch) { Report(of_batch); });
-    if (coarse_objective_) coarse_.emplace(ProblemOf(*coarse_objective_, options), options.threads);
+    if (coarse_objective_) {
+      coarse_.emplace(ProblemOf(*coarse_objective_, options), options.threads, coarse_store);
+      coarse_->TellProgress([this](std::int64_t) { Report(); });
+    }
     result_.values = objective.vehicle().ParameterValues();
     result_.residual_count = objective.residual_count();
     result_.prior_count = objective.prior_count();
@@ -409,7 +412,7 @@ class RunningFit {
     return stop_();
   };
   Archive archive_;
-  /// They lead refinements; what they evaluate is not kept.
+  /// They lead refinements.
   const std::optional<VehicleObjective> coarse_objective_ = objective_.Coarse();
   std::optional<Archive> coarse_;
   FitResult result_;
@@ -420,8 +423,8 @@ class RunningFit {
 }  // namespace
 
 FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
-              EvaluationStore* store) {
-  return RunningFit(objective, options, hooks, store).Run();
+              EvaluationStore* store, EvaluationStore* coarse_store) {
+  return RunningFit(objective, options, hooks, store, coarse_store).Run();
 }
 
 }  // namespace fourpost

@@ -5,17 +5,36 @@
 
 namespace fourpost {
 
-std::optional<std::size_t> KnownOptima::MetBy(const PointOnTheWay& point, double agreement) const {
+namespace {
+
+/// Within three standard deviations by the cost's own curvature.
+bool IsNear(const KnownOptimum& known, const Eigen::VectorXd& x, double unit) {
   constexpr double kDeviations = 3;
-  const auto met = std::find_if(optima_.begin(), optima_.end(), [&](const KnownOptimum& known) {
-    const double unit = known.cost / point.freedom;
-    const Eigen::VectorXd way = point.x - known.x;
-    const bool is_near = way.dot(known.normal * way) <= kDeviations * kDeviations * unit;
-    return is_near && point.cost >= known.cost - agreement * unit &&
+  const Eigen::VectorXd way = x - known.x;
+  return way.dot(known.normal * way) <= kDeviations * kDeviations * unit;
+}
+
+}  // namespace
+
+template <typename IsMet>
+std::optional<std::size_t> KnownOptima::First(double freedom, const IsMet& is_met) const {
+  for (std::size_t i = 0; i < optima_.size(); ++i)
+    if (is_met(optima_[i], optima_[i].cost / freedom)) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> KnownOptima::MetBy(const PointOnTheWay& point, double agreement) const {
+  return First(point.freedom, [&](const KnownOptimum& known, double unit) {
+    return IsNear(known, point.x, unit) && point.cost >= known.cost &&
            std::abs(point.cost - point.full_gain - known.cost) <= agreement * unit;
   });
-  if (met == optima_.end()) return std::nullopt;
-  return static_cast<std::size_t>(met - optima_.begin());
+}
+
+std::optional<std::size_t> KnownOptima::OneWith(const Eigen::VectorXd& x, double cost, double freedom,
+                                                double agreement) const {
+  return First(freedom, [&](const KnownOptimum& known, double unit) {
+    return IsNear(known, x, unit) && std::abs(cost - known.cost) <= agreement * unit;
+  });
 }
 
 }  // namespace fourpost

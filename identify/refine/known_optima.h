@@ -33,11 +33,18 @@ class KnownOptima {
  public:
   void Add(KnownOptimum optimum) { optima_.push_back(std::move(optimum)); }
 
-  /// The one of which the point lies within three standard deviations, and as low as which the cost would fall, give or
-  /// take `agreement` of chi-square (see RefineOptions::agreement), by which the point may be lower, too.
+  /// The one of which the point lies within three standard deviations, no lower, and as low as which the cost would
+  /// fall, give or take `agreement` of chi-square (see RefineOptions::agreement).
   std::optional<std::size_t> MetBy(const PointOnTheWay& point, double agreement) const;
 
+  /// The one within three standard deviations of another end of a refinement, whose cost differs by no more than that.
+  std::optional<std::size_t> OneWith(const Eigen::VectorXd& x, double cost, double freedom, double agreement) const;
+
  private:
+  /// `is_met(optimum, unit)`; the unit of chi-square there.
+  template <typename IsMet>
+  std::optional<std::size_t> First(double freedom, const IsMet& is_met) const;
+
   std::vector<KnownOptimum> optima_;
 };
 

@@ -146,8 +146,8 @@ class EndOfRun : public ceres::IterationCallback {
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (stop_ && stop_()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    if ((met_ = Met(iteration))) end_ = RefineEnd::kKnown;
-    else if (IsNear(iteration)) end_ = RefineEnd::kConverged;
+    if (IsNear(iteration)) end_ = RefineEnd::kConverged;
+    else if ((met_ = Met(iteration))) end_ = RefineEnd::kKnown;
     else if (HeadsTooHigh(iteration)) end_ = RefineEnd::kGivenUp;
     return end_ == RefineEnd::kNotRun ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
@@ -333,12 +333,12 @@ std::optional<RobustLoss> Leading(const RefineOptions& options, const Eigen::Vec
 }  // namespace
 
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
-                    const std::function<bool()>& stop, const KnownOptima& known) {
+                    const std::function<bool()>& stop, const KnownOptima& known, const Evaluation* at_start) {
   options.Validate();
   const FitVariables variables(archive.lattice());
   const std::int64_t paid_before = archive.counts().paid;
   Residuals here = {.x = variables.FromValues(start)};
-  const Evaluation first = archive.EvaluateValues({variables.ToValues(here.x)}).front();
+  const Evaluation first = at_start ? *at_start : archive.EvaluateValues({variables.ToValues(here.x)}).front();
   if (!first.ok())
     return {.end = RefineEnd::kStartFailed,
             .message = first.detail,

@@ -88,8 +88,9 @@ struct RefineResult {
   /// d residuals / d FitVariables at `values`; empty when it could not be evaluated.
   Eigen::MatrixXd jacobian;
   int iterations = 0;
-  /// New evaluations, those for differences included; and those of coarse residuals that led there.
+  /// New evaluations, those for differences included.
   std::int64_t evaluations = 0;
+  /// The same of coarse residuals, which led it.
   std::int64_t coarse_evaluations = 0;
   /// Of the known optima the one that it met.
   std::optional<std::size_t> met;
@@ -106,9 +107,10 @@ struct RefineResult {
 /// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in
 /// parallel; the precision of the lattice plays no part. Variables held at a bound by the cost stay out of the steps of
 /// the others. A step whose evaluation fails is refused and a shorter one tried. `stop` is asked after each iteration.
-/// Where it meets one of the `known` optima it ends, short of it. Throws std::invalid_argument for a start out of
-/// bounds.
+/// Where it meets one of the `known` optima it ends, short of it. `at_start`: what the start gives, where that has been
+/// evaluated. Throws std::invalid_argument for a start out of bounds.
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options = {},
-                    const std::function<bool()>& stop = {}, const KnownOptima& known = {});
+                    const std::function<bool()>& stop = {}, const KnownOptima& known = {},
+                    const Evaluation* at_start = nullptr);
 
 }  // namespace fourpost

@@ -35,10 +35,13 @@ class EndedRuns {
   std::vector<std::size_t> places_;
 };
 
+double FreedomOf(const RefineResult& run) {
+  return static_cast<double>(std::max<Eigen::Index>(1, run.residuals.size() - run.values.size()));
+}
+
 /// See RefineOptions::agreement.
 bool Agrees(const RefineResult& run, const RefineResult& best, double zero, const RefineOptions& options) {
-  const auto freedom = static_cast<double>(std::max<Eigen::Index>(1, best.residuals.size() - best.values.size()));
-  const double share = std::max(options.agreement / freedom, 100 * options.cost_tolerance);
+  const double share = std::max(options.agreement / FreedomOf(best), 100 * options.cost_tolerance);
   return run.cost <= zero || run.cost - best.cost <= share * best.cost;
 }
 
@@ -61,14 +64,12 @@ class SeveralStarts {
   }
 
   void From(const Eigen::VectorXd& start) {
-    const std::int64_t paid_before = archive_.counts().paid;
-    const std::optional<RefineResult> led = Led(start);
-    result_.runs.push_back(led && led->met ? MetBy(*led, start) : Refined(led, start));
-    RefineResult& run = result_.runs.back();
-    run.evaluations = archive_.counts().paid - paid_before;
-    Take(run);
-    const bool is_at_optimum = run.end == RefineEnd::kConverged || run.end == RefineEnd::kKnown;
-    if (led && is_at_optimum) led_.Add(*led, result_.runs.size() - 1);
+    const std::int64_t paid = archive_.counts().paid;
+    const std::int64_t coarse_paid = coarse_ ? coarse_->counts().paid : 0;
+    RefineResult run = coarse_ ? RefinedByBoth(start) : Refine(archive_, start, options_, stop_, ended_.optima());
+    run.evaluations = archive_.counts().paid - paid;
+    if (coarse_) run.coarse_evaluations = coarse_->counts().paid - coarse_paid;
+    Take(std::move(run));
   }
 
   MultiStartResult Judged() {
@@ -82,51 +83,63 @@ class SeveralStarts {
   }
 
  private:
-  /// By the coarse residuals; nothing where they lead nowhere.
-  std::optional<RefineResult> Led(const Eigen::VectorXd& start) {
-    if (!coarse_) return std::nullopt;
-    RefineResult led = Refine(*coarse_, start, leading_, stop_, led_.optima());
-    if (!led.has_cost()) return std::nullopt;
-    return led;
-  }
-
-  std::optional<double> CostAt(const Eigen::VectorXd& values) {
-    const Evaluation there = archive_.EvaluateValues({values}).front();
-    if (!there.ok()) return std::nullopt;
-    return options_.loss.Cost(there.residuals);
-  }
-
-  /// The run from this start is one with that which made the coarse optimum.
-  RefineResult MetBy(const RefineResult& led, const Eigen::VectorXd& start) {
-    RefineResult run;
-    run.start_cost = CostAt(start).value_or(std::numeric_limits<double>::quiet_NaN());
-    run.iterations = led.iterations;
-    run.coarse_evaluations = led.evaluations;
-    GoOnTo(result_.runs[led_.PlaceOf(*led.met)], run);
+  RefineResult RefinedByBoth(const Eigen::VectorXd& start) {
+    const Evaluation at_start = archive_.EvaluateValues({start}).front();
+    const RefineResult led = Refine(*coarse_, start, leading_, stop_, led_.optima());
+    RefineResult run = Refined(start, at_start, led);
+    run.start_cost = CostOf(at_start).value_or(std::numeric_limits<double>::quiet_NaN());
     return run;
   }
 
-  RefineResult Refined(const std::optional<RefineResult>& led, const Eigen::VectorXd& start) {
-    if (!led) return Refine(archive_, start, options_, stop_, ended_.optima());
-    const std::optional<double> before = CostAt(start);
-    const std::optional<double> after = CostAt(led->values);
-    const bool leads = after && (!before || *after < *before);
-    RefineResult run = Refine(archive_, leads ? led->values : start, options_, stop_, ended_.optima());
-    if (before) run.start_cost = *before;
-    run.iterations += led->iterations;
-    run.coarse_evaluations = led->evaluations;
+  RefineResult Refined(const Eigen::VectorXd& start, const Evaluation& at_start, const RefineResult& led) {
+    const std::optional<double> before = CostOf(at_start);
+    if (led.end == RefineEnd::kStopped && before)
+      return {.end = RefineEnd::kStopped, .values = start, .cost = *before, .residuals = at_start.residuals};
+    if (const std::optional<std::size_t> place = MetBy(led); place && LeadsTo(result_.runs[*place].cost, before)) {
+      RefineResult run{.iterations = led.iterations};
+      GoOnTo(result_.runs[*place], run);
+      return run;
+    }
+    const Evaluation at_end = led.has_cost() ? archive_.EvaluateValues({led.values}).front() : at_start;
+    const std::optional<double> after = CostOf(at_end);
+    if (!led.has_cost() || !after || !LeadsTo(*after, before))
+      return Refine(archive_, start, options_, stop_, ended_.optima(), &at_start);
+    RefineOptions rest = options_;
+    rest.max_iterations = std::max(1, options_.max_iterations - led.iterations);
+    RefineResult run = Refine(archive_, led.values, rest, stop_, ended_.optima(), &at_end);
+    run.iterations += led.iterations;
+    // What comes there later is one with it, but for one that it was of no use to.
+    if (run.end == RefineEnd::kConverged) led_.Add(led, result_.runs.size());
     return run;
   }
 
-  void Take(RefineResult& run) {
+  /// The place of the run that came to the same coarse optimum.
+  std::optional<std::size_t> MetBy(const RefineResult& led) const {
+    if (led.met) return led_.PlaceOf(*led.met);
+    if (led.end != RefineEnd::kConverged) return std::nullopt;
+    const std::optional<std::size_t> one =
+        led_.optima().OneWith(variables_.FromValues(led.values), led.cost, FreedomOf(led), options_.agreement);
+    return one ? std::optional(led_.PlaceOf(*one)) : std::nullopt;
+  }
+
+  static bool LeadsTo(double cost, const std::optional<double>& before) { return !before || cost < *before; }
+
+  std::optional<double> CostOf(const Evaluation& evaluation) const {
+    if (!evaluation.ok()) return std::nullopt;
+    return options_.loss.Cost(evaluation.residuals);
+  }
+
+  void Take(RefineResult run) {
     if (run.met) GoOnTo(result_.runs[ended_.PlaceOf(*run.met)], run);
     result_.ended += run.has_ended();
-    if (!run.has_cost()) return;
-    const std::size_t place = result_.runs.size() - 1;
-    ended_.Add(run, place);
-    highest_start_ = std::max(highest_start_, run.start_cost);
-    const bool wins = result_.best < 0 || run.cost < result_.runs[static_cast<std::size_t>(result_.best)].cost;
-    if (wins) result_.best = static_cast<int>(place);
+    const std::size_t place = result_.runs.size();
+    if (run.has_cost()) {
+      ended_.Add(run, place);
+      highest_start_ = std::max(highest_start_, run.start_cost);
+      const bool wins = result_.best < 0 || run.cost < result_.runs[static_cast<std::size_t>(result_.best)].cost;
+      if (wins) result_.best = static_cast<int>(place);
+    }
+    result_.runs.push_back(std::move(run));
   }
 
   Archive& archive_;

@@ -24,8 +24,9 @@ struct MultiStartResult {
 };
 
 /// Refines from each start in turn; the best wins. One that meets an earlier optimum ends there, with that one's
-/// values. After `stop` the rest of the starts is left out. `coarse`: of the same variables, with cheaper residuals;
-/// each refinement begins where theirs ends, those of one coarse optimum are one. Null: there are none.
+/// values. After `stop` the rest of the starts is left out. `coarse`: of the same variables, with cheaper residuals; a
+/// refinement begins where theirs ends if that lowers the cost, and starts that reach one coarse optimum share one
+/// refinement. Null: there are none.
 MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts,
                             const RefineOptions& options = {}, const std::function<bool()>& stop = {},
                             Archive* coarse = nullptr);

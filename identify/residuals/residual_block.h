@@ -57,6 +57,8 @@ struct ResidualBlock {
   /// Some of these residuals, for much less, with a minimum near that of all; null where there are no such. A
   /// refinement may be led by them.
   std::shared_ptr<const ResidualBlock> coarse = nullptr;
+  /// Takes next to no time beside others, so that no coarse ones are needed.
+  bool is_cheap = false;
 };
 
 }  // namespace fourpost

@@ -51,6 +51,7 @@ std::optional<VehicleObjective> VehicleObjective::Coarse() const {
   std::vector<ResidualBlock> blocks;
   bool is_coarser = false;
   for (const ResidualBlock& block : blocks_) {
+    if (!block.coarse && !block.is_cheap) return std::nullopt;
     blocks.push_back(block.coarse ? *block.coarse : block);
     is_coarser = is_coarser || block.coarse;
   }

@@ -167,7 +167,7 @@ std::string SearchText(const FitResult& fit) {
 /// They led the refinements.
 std::string CoarseText(const FitResult& fit) {
   if (fit.coarse_evaluations == 0) return "";
-  return ", and " + std::to_string(fit.coarse_evaluations) + " with a quarter of the frequencies";
+  return "; " + std::to_string(fit.coarse_evaluations) + " more with a quarter of the frequencies";
 }
 
 /// "fit converged" only for one that explains the data.

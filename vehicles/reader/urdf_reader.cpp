@@ -12,8 +12,8 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include "vehicles/reader/findings.h"
-#include "vehicles/shapes/sound_meshes.h"
 #include "vehicles/shapes/shape_error.h"
+#include "vehicles/shapes/sound_meshes.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {

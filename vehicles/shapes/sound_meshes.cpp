@@ -48,10 +48,11 @@ class SoundMeshes {
 void CheckMesh(const std::filesystem::path& file) {
   static SoundMeshes sound;
   // Of before the reading: what is written meanwhile is another file.
-  const std::optional<FileState> state = StateOf(file);
-  if (state && sound.Has(file, *state)) return;
+  const std::filesystem::path place = std::filesystem::absolute(file);
+  const std::optional<FileState> state = StateOf(place);
+  if (state && sound.Has(place, *state)) return;
   ReadMesh(file);
-  if (state) sound.Add(file, *state);
+  if (state) sound.Add(place, *state);
 }
 
 }  // namespace fourpost
