@@ -428,4 +428,19 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
   return audit;
 }
 
+bool ClearsChannels(const Audit& audit, const std::vector<std::string>& channels) {
+  constexpr double kScale = 0.1;
+  constexpr double kDelay_s = 0.005;
+  const auto is_seen = [&](const std::string& channel, RigFault::Kind kind, double size) {
+    return std::any_of(audit.resolutions.begin(), audit.resolutions.end(), [&](const Resolution& one) {
+      return one.fault.kind == kind && one.fault.name == channel && one.Seen() <= size;
+    });
+  };
+  return audit.is_redundant && audit.suspicions.empty() &&
+         std::all_of(channels.begin(), channels.end(), [&](const std::string& channel) {
+           return is_seen(channel, RigFault::Kind::kScale, kScale) &&
+                  is_seen(channel, RigFault::Kind::kDelay, kDelay_s);
+         });
+}
+
 }  // namespace fourpost

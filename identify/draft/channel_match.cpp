@@ -181,7 +181,7 @@ bool ChannelMatch::IsSure() const {
   // A vehicle whose values are not fitted moves about as the real one does.
   const double enough = by == By::kName ? 0.2 : 0.5;
   const bool is_named = by == By::kName || by == By::kLikeName;
-  return is_named && rival.empty() && correlation.value_or(1) > enough;
+  return is_named && rival.empty() && !is_motionless && correlation.value_or(1) > enough;
 }
 
 std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought,

@@ -29,7 +29,9 @@ struct ChannelMatch {
   /// Of the channel's responses and those of the vehicle as its file has it, -1 to 1; empty where neither is known.
   std::optional<double> correlation;
   /// Another that fits nearly as well; empty: none.
-  std::string rival;
+  std::string rival = {};
+  /// Beside others of its kind in the recording, see kMotionlessShare: its correlation is that of rounding.
+  bool is_motionless = false;
 
   /// False of what a user should look at.
   bool IsSure() const;

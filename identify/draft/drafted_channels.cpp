@@ -67,6 +67,7 @@ const char* StateName(DraftedChannel::State state) {
 
 std::string DoubtOf(const ChannelMatch& match) {
   if (match.IsSure()) return "";
+  if (match.is_motionless) return "does not move in this recording, so a fit leaves it out";
   std::string doubt;
   const auto add = [&](const std::string& text) { doubt += (doubt.empty() ? "" : "; ") + text; };
   if (match.by == ChannelMatch::By::kMotion) add("by its motion alone");

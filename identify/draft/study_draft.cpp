@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "analysis/signals/motionless.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
@@ -59,6 +60,20 @@ std::string ChannelLines(const std::vector<ChannelMatch>& matches, const std::st
     lines += indent + match.name + ": " + SourceText(match.source) + (why.empty() ? "" : "  # " + why) + '\n';
   }
   return lines.empty() || !has_named ? lines : lines + indent + "others: by name\n";
+}
+
+/// Of channels that are known there: all of them, each beside the largest of its unit.
+bool IsMotionless(const RecordingSummary& summary, const ChannelSource& source) {
+  const auto is_still = [&](const SourceChannel& channel) {
+    const auto found = std::find_if(summary.columns.begin(), summary.columns.end(),
+                                    [&](const ColumnSummary& column) { return column.name == channel.name; });
+    if (found == summary.columns.end()) return false;
+    double largest = 0;
+    for (const ColumnSummary& other : summary.columns)
+      if (other.unit == found->unit) largest = std::max(largest, other.rms);
+    return found->rms < kMotionlessShare * largest;
+  };
+  return std::all_of(source.channels.begin(), source.channels.end(), is_still);
 }
 
 std::string Listed(const std::vector<std::string>& names) {
@@ -157,7 +172,10 @@ class Drafter {
         return evidence.Of(name, channel);
       };
       drafted.matches = MatchChannels(sought, reading.channels, HasSides(vehicle_), correlation);
-      for (ChannelMatch& match : drafted.matches) RemoveDrifts(reading.preparation, match);
+      for (ChannelMatch& match : drafted.matches) {
+        RemoveDrifts(reading.preparation, match);
+        match.is_motionless = reading.kind == Kind::kHistory && IsMotionless(reading.preparation.summary, match.source);
+      }
       for (const SoughtChannel& one : sought)
         if (std::none_of(drafted.matches.begin(), drafted.matches.end(),
                          [&](const ChannelMatch& match) { return match.name == one.name; }))

@@ -32,7 +32,9 @@ void DescribeCertainty(const Certainty& certainty, Eigen::Index k, double slope,
   const double total = certainty.SdAboutEnds(k);
   fitted.lower_95 = std::max(end(std::min(0.0, moved), total, -1), std::min(end(0, noise, -1), fitted.lower));
   fitted.upper_95 = std::min(end(std::max(0.0, moved), total, 1), std::max(end(0, noise, 1), fitted.upper));
-  if (fitted.state == ParameterState::kDetermined && fitted.RelativeSd() > kUndeterminedShare)
+  if (fitted.state == ParameterState::kDetermined &&
+      (fitted.RelativeSd() > kUndeterminedShare ||
+       FillsBounds(fitted.lower_95, fitted.upper_95, fitted.lower, fitted.upper)))
     fitted.state = ParameterState::kUndetermined;
   if (!std::isfinite(fitted.sd)) return;
   fitted.lower_95 = std::max(fitted.lower_95, physical.least);

@@ -22,9 +22,23 @@ constexpr double kFar_deg = 20;
 constexpr double kClose_percent = 5;
 constexpr double kFar_percent = 20;
 
+// Residuals over noise and stated model error, as of the whole fit: kLargeMisfit and kFarMisfit.
+constexpr double kExplained = 1.5;
+constexpr double kFar = 3;
+
 Follows Judge(double score_close, double score_far) {
   if (score_close <= 1) return Follows::kWell;
   return score_far <= 1 ? Follows::kRoughly : Follows::kNot;
+}
+
+/// By what noise and stated model error explain, where the run holds it.
+void JudgeByMisfit(const Json& channel, JudgedChannel& judged) {
+  judged.misfit = NumberAt(channel, "misfit");
+  if (!std::isfinite(judged.misfit)) return;
+  judged.numbers = ShownNumber(judged.misfit, 2) + " times noise and model error; " + judged.numbers;
+  const bool looks_alike = judged.score <= 1;
+  judged.score = judged.misfit / kExplained;
+  judged.follows = Judge(judged.score, looks_alike ? 0 : judged.misfit / kFar);
 }
 
 std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
@@ -38,12 +52,14 @@ std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
     judged.is_history = true;
     judged.score = nmse / kClose_percent;
     judged.follows = Judge(nmse / kClose_percent, nmse / kFar_percent);
+    JudgeByMisfit(channel, judged);
     return judged;
   }
   if (!std::isfinite(dB) || !std::isfinite(deg)) return std::nullopt;
   judged.numbers = ShownNumber(dB, 2) + " dB, " + ShownNumber(deg, 2) + "\u00b0";
   judged.score = std::max(dB / kClose_dB, deg / kClose_deg);
   judged.follows = Judge(judged.score, std::max(dB / kFar_dB, deg / kFar_deg));
+  JudgeByMisfit(channel, judged);
   return judged;
 }
 
@@ -69,12 +85,21 @@ std::vector<JudgedChannel> JudgeChannels(const std::vector<Json>& channels) {
 
 std::string ShownLimits(const std::vector<JudgedChannel>& channels) {
   const auto is_history = [](const JudgedChannel& channel) { return channel.is_history; };
+  const auto has_misfit = [](const JudgedChannel& channel) { return std::isfinite(channel.misfit); };
   std::vector<std::string> limits;
-  if (!std::all_of(channels.begin(), channels.end(), is_history))
-    limits.push_back(ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) + "\u00b0 rms");
-  if (std::any_of(channels.begin(), channels.end(), is_history))
+  if (std::any_of(channels.begin(), channels.end(), has_misfit))
+    limits.push_back(ShownNumber(kExplained, 2) + " times noise and stated model error");
+  const auto by_size = [&](bool over_time) {
+    return std::any_of(channels.begin(), channels.end(), [&](const JudgedChannel& channel) {
+      return !has_misfit(channel) && is_history(channel) == over_time;
+    });
+  };
+  if (by_size(false)) limits.push_back(ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) + "\u00b0 rms");
+  if (by_size(true))
     limits.push_back(ShownNumber(kClose_percent, 1) + " % NMSE");
-  return limits.size() == 1 ? limits[0] : limits[0] + ", or " + limits[1];
+  std::string text;
+  for (const std::string& limit : limits) text += (text.empty() ? "" : ", or ") + limit;
+  return text;
 }
 
 }  // namespace fourpost

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,9 @@
 
 namespace fourpost {
 
-/// How well a model follows a channel.
+/// How well a model follows a channel: by its residuals over noise and stated model error, as the verdict on the whole
+/// fit, up to 1.5 well and above 3 not, but roughly where model and measurement look alike all the same. Of runs and
+/// costs without them by decibels and degrees, or by NMSE.
 enum class Follows { kWell, kRoughly, kNot };
 
 /// A channel of a result.json, by its misfit.
@@ -16,8 +19,10 @@ struct JudgedChannel {
   /// Of a channel over time.
   std::string recording;
   std::string numbers;
+  /// Residuals over noise and stated model error; NaN where the run does not hold it.
+  double misfit = std::numeric_limits<double>::quiet_NaN();
   Follows follows = Follows::kWell;
-  /// The misfit over that of a channel which is followed well.
+  /// Above 1 where it is not followed well.
   double score = 0;
   bool is_history = false;
 };

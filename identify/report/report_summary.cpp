@@ -144,11 +144,13 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
   std::string text = DoesNotExplain(result);
   if (!text.empty()) name = "poor";
   else if (end == "converged") text = "<strong>The fit converged.</strong> ";
-  else if (end == "interrupted") text = "<strong>The fit was interrupted.</strong> This is the best point until then. ";
+  else if (end == "interrupted") text = "<strong>The fit is not finished, it was interrupted.</strong> This is the best point until then. ";
   else if (end == "all_failed") text = "<strong>Every simulation failed.</strong> Nothing was fitted. ";
   else if (end == "not_converged") text = "<strong>The fit did not converge.</strong> A better point may be near. ";
   else text = "<strong>The end of the fit is of an unknown kind.</strong> ";
-  if (end != "converged") name = "poor";
+  // What has not ended says little of the model.
+  if (end == "interrupted") name = "open";
+  else if (end != "converged") name = "poor";
   const std::string accepted = WhatWasAccepted(result);
   text += accepted + Agreement(result, end == "interrupted");
   if (!accepted.empty() && name == "good") name = "fair";
@@ -436,7 +438,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters, remarks)) +
-         Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";
+         Item(TextAt(result, "termination") == "interrupted" ? "What to do next" : "What to measure next", html::Element("ul", "", next)) + "</dl>\n";
 }
 
 }  // namespace fourpost

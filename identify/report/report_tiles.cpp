@@ -23,7 +23,7 @@ std::string CountOf(std::size_t part, std::size_t all) {
 std::string WordOf(const std::string& verdict) {
   if (verdict == "good") return "Good";
   if (verdict == "fair") return "Fair";
-  return verdict == "poor" ? "Poor" : "Open";
+  return verdict == "poor" ? "Poor" : "Not finished";
 }
 
 std::string Misfit(double misfit) {
@@ -58,7 +58,7 @@ std::string Trust(const std::vector<ReportedParameter>& parameters) {
   std::string dots;
   std::size_t known = 0;
   for (const ReportedParameter& parameter : parameters) {
-    const bool is_known = parameter.RelativeSd() <= kKnown;
+    const bool is_known = parameter.RelativeSd() <= kKnown && parameter.state != ParameterState::kUndetermined;
     known += is_known;
     dots += "<i class=\"" + std::string(is_known ? "known" : "open") + "\" title=\"" + html::Escaped(parameter.name) +
             "\"></i>";

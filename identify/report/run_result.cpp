@@ -109,10 +109,12 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
     reported.sd = NumberAt(parameter, "sd") / si;
     if (reported.state == ParameterState::kUndetermined && std::isnan(reported.sd))
       reported.sd = std::numeric_limits<double>::infinity();
-    // Older versions called it so.
-    if (reported.state == ParameterState::kDetermined && reported.RelativeSd() > kUndeterminedShare)
-      reported.state = ParameterState::kUndetermined;
     ReadInterval(parameter, si, reported);
+    // Older versions called it so.
+    if (reported.state == ParameterState::kDetermined &&
+        (reported.RelativeSd() > kUndeterminedShare ||
+         FillsBounds(reported.lower_95, reported.upper_95, reported.lower, reported.upper)))
+      reported.state = ParameterState::kUndetermined;
     reported.at_bound = FlagAt(parameter, "at_bound");
     FindPartner(correlations, i, parameters, reported);
     list.push_back(std::move(reported));

@@ -53,6 +53,8 @@ struct HistoryMisfit {
   double residual_correlation = 0;
   double effective_samples = 0;
   bool is_white = true;
+  /// Residuals over noise and stated model error, of a cost that is whitened.
+  std::optional<double> misfit = {};
   /// Of the reduced model, where the full geometry answered.
   std::optional<double> reduced_nmse_percent = {};
   /// The channel of the same unit that this one is measured like, while that one is measured like this: swapped.

@@ -42,6 +42,7 @@ nlohmann::ordered_json HistoryMisfitsJson(const std::vector<HistoryMisfit>& misf
                     {"residual_correlation", NumberOrNull(misfit.residual_correlation)},
                     {"effective_samples", NumberOrNull(std::round(misfit.effective_samples))},
                     {"residuals_white", misfit.is_white}});
+    if (misfit.misfit) list.back()["misfit"] = NumberOrNull(*misfit.misfit);
     if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
     if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
     if (Json yardstick = YardstickJson(misfit); !yardstick.empty()) list.back()["yardstick"] = std::move(yardstick);

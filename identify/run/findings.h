@@ -75,6 +75,9 @@ inline const Finding kEndedWithoutDeviations{"ended-without-deviations", Severit
 inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::kWarning,
                                             "the data do not change when these parameters change together: {}",
                                             "fix one, give it a prior, or measure a force"};
+inline const Finding kIntervalFillsBounds{"interval-fills-bounds", Severity::kWarning,
+                                          "intervals reach from bound to bound, so the data do not determine: {}",
+                                          "widen bounds that are guesses, or measure a channel that depends on them"};
 inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::kWarning,
                                             "the data do not change with the one free parameter",
                                             "measure a channel that depends on it"};

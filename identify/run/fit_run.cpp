@@ -181,6 +181,7 @@ class Fitter {
     OutputFolder output(request_.output, kArchive);
     const EvaluationContext context = ContextOf(loaded);
     if (request_.resume) RequireSameContext(context);
+    else NoteOtherContext(context);
     FitRun run{.fit = FitInto(context, objective, options)};
     if (run.fit.end == FitEnd::kUnidentified) {
       output.Withdraw();
@@ -242,6 +243,25 @@ class Fitter {
     Refuse(kArchiveOfOtherState, {request_.study.string()}, {Archive().string(), changed});
   }
 
+  /// Why nothing of an archive that is there is used.
+  void NoteOtherContext(const EvaluationContext& context) const {
+    std::string changed;
+    for (const std::string& part : ChangedParts(Archive(), context))
+      changed += (changed.empty() ? "" : "; ") + InWords(part);
+    if (!changed.empty())
+      hooks_.work.Note(Archive().string() + " is of another state (" + changed +
+                       "): what it holds is not used, and the fit starts from the beginning");
+  }
+
+  void NoteSize() const {
+    constexpr std::uintmax_t kLarge = 100'000'000;
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(Archive(), failure);
+    if (!failure && size > kLarge)
+      hooks_.work.Note(Archive().string() + " takes " + std::to_string(size / 1'000'000) +
+                       " MB; delete it when the fit need not be resumed");
+  }
+
   /// The archive is closed afterwards.
   FitResult FitInto(const EvaluationContext& context, const VehicleObjective& objective,
                     const FitOptions& options) const {
@@ -254,6 +274,7 @@ class Fitter {
     if (counts.restored > 0)
       hooks_.work.Note(std::to_string(counts.restored) + " of " + std::to_string(counts.paid) +
                        " evaluations come from " + Archive().string());
+    NoteSize();
     if (store.damaged() > 0)
       hooks_.work.Note("damaged in " + Archive().string() + ", evaluated and stored again: " +
                        std::to_string(store.damaged()) + " evaluation" + (store.damaged() == 1 ? "" : "s"));

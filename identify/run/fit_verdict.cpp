@@ -106,6 +106,15 @@ void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
   for (const std::string& combination : fit.weakest) conclusions.Report(kDirectionUndetermined, {}, {combination});
 }
 
+/// Parameters that only their bounds limit, though they have a deviation.
+void AddLimitedByBounds(const FitResult& fit, Diagnostics& conclusions) {
+  std::string names;
+  for (const FittedParameter& one : fit.parameters)
+    if (one.state == ParameterState::kUndetermined && FillsBounds(one.lower_95, one.upper_95, one.lower, one.upper))
+      names += (names.empty() ? "" : ", ") + one.name;
+  if (!names.empty()) conclusions.Report(kIntervalFillsBounds, {}, {names});
+}
+
 /// A best point that no other refinement found.
 void AddDisagreement(const FitResult& fit, Diagnostics& conclusions) {
   constexpr int kEnough = 3;
@@ -188,6 +197,7 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
   if (has_deviations && fit.are_calibrations_unused) conclusions.Report(kCalibrationUnused, {});
   if (has_deviations) {
     AddOtherOptima(fit, conclusions);
+    AddLimitedByBounds(fit, conclusions);
     AddCalibrations(fit, conclusions);
     AddHeld(fit, conclusions);
   }

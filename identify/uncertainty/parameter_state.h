@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -10,7 +11,8 @@ namespace fourpost {
 enum class ParameterState {
   kNotComputed,
   kDetermined,
-  /// Neither data nor a prior determine it, or its standard deviation is as large as it, see RelativeSd().
+  /// Neither data nor a prior determine it, its standard deviation is as large as it, see RelativeSd(), or its interval
+  /// fills the range between its bounds, see FillsBounds(): they limit it then, not the data.
   kUndetermined,
   /// A bound holds it there, not the data.
   kAtBound,
@@ -29,6 +31,13 @@ inline double RelativeSd(double sd, double value, double lower, double upper) {
 
 /// Above it a value is not determined.
 inline constexpr double kUndeterminedShare = 1;
+
+/// Whether an interval says next to nothing beyond the bounds. A value of which nothing is known but that it lies between
+/// them, all alike, has 95 % of its probability within 95 % of the range.
+inline bool FillsBounds(double from, double to, double lower, double upper) {
+  constexpr double kNearlyAll = 0.9;
+  return upper > lower && std::min(to, upper) - std::max(from, lower) >= kNearlyAll * (upper - lower);
+}
 
 /// At which bounds an interval was cut: its end is the bound itself, and would lie beyond; empty: at none.
 inline std::string_view IntervalCutAt(double from, double to, double lower, double upper) {

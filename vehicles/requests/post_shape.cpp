@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/text/known_names.h"
+#include "analysis/text/name_meaning.h"
 #include "analysis/text/number.h"
 #include "vehicles/description/findings.h"
 #include "vehicles/description/post_pattern.h"
@@ -45,12 +46,26 @@ class ShareReader {
     const std::size_t equals = std::min(part.find('='), part.size());
     const std::string name = part.substr(0, equals);
     const std::optional<double> share = equals < part.size() ? ParseNumber(part.substr(equals + 1)) : std::nullopt;
-    const auto post = std::find(posts_.begin(), posts_.end(), name);
+    const auto post = FindPost(name);
     std::optional<double>* const place = post == posts_.end() ? nullptr : &shares_[post - posts_.begin()];
     if (!place) Fault(kSharePost, {name, KnownNames(name, posts_)});
     else if (!share) Fault(kShareMalformed, {part, name});
     else if (*place) Fault(kSharePostTwice, {name});
     else *place = share;
+  }
+
+  /// By its name, or by a place that is that of one post alone: "FL" of 'front_post_left'.
+  std::vector<std::string>::const_iterator FindPost(const std::string& name) const {
+    const auto exact = std::find(posts_.begin(), posts_.end(), name);
+    const NameMeaning meant = MeaningOf(name);
+    if (exact != posts_.end() || (meant.front == 0 && meant.left == 0)) return exact;
+    const auto is_there = [&](const std::string& post) {
+      const NameMeaning meaning = MeaningOf(post);
+      return meaning.front == meant.front && meaning.left == meant.left;
+    };
+    return std::count_if(posts_.begin(), posts_.end(), is_there) == 1
+               ? std::find_if(posts_.begin(), posts_.end(), is_there)
+               : posts_.end();
   }
 
   Diagnostics& diagnostics_;

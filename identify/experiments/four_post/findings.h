@@ -152,6 +152,16 @@ inline const Finding kManySinesFarOff{
     "of "
     "channels and the charts of responses show all",
     Weight::kGrave};
+inline const Finding kModelFarOffSines{
+    "model-far-off-sines", Severity::kWarning,
+    "fit errors are far above what noise and the stated model error explain: {}",
+    "the audit clears the wiring, so the model lacks a mechanism: `fourpost suggest` looks for it", Weight::kGrave};
+inline const Finding kModelFarOffManySines{
+    "model-far-off-many-sines", Severity::kWarning,
+    "fit errors of {} are far above what noise and the stated model error explain, the worst: {}",
+    "the audit clears the wiring, so the model lacks a mechanism: `fourpost suggest` looks for it; the table of "
+    "channels and the charts of responses show all",
+    Weight::kGrave};
 inline const Finding kSineKinematicsVisible{
     "sine-kinematics-visible", Severity::kWarning,
     "recording '{}': {}, which is not small compared with the stated model error of {} dB and {} degrees",

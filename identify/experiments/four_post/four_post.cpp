@@ -11,6 +11,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "identify/audit/audit.h"
 #include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
@@ -99,9 +100,9 @@ void AddKinematics(const FourPostPlan& plan, const std::vector<MeasuredRun>& run
 
 /// What the fitted vehicle makes of recordings that the fit has not seen.
 void AddValidation(const std::vector<MeasuredRun>& unseen, const std::vector<FrequencyResponse>& predicted,
-                   ExperimentResults& results) {
+                   const ModelError& model_error, ExperimentResults& results) {
   if (unseen.empty()) return;
-  results.json["validation"] = UnseenMisfitsJson(unseen, predicted);
+  results.json["validation"] = UnseenMisfitsJson(unseen, predicted, model_error);
   results.unseen_text +=
       MisfitTable(ResponseMisfits(unseen, predicted), RecordingMisfits(unseen, predicted), results.text) + '\n';
 }
@@ -198,7 +199,12 @@ void FourPost::Check(const Subject& subject, Severity wrong_posts, Diagnostics& 
 }
 
 void FourPost::CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const {
-  LintChannels(plan, RunsInBand(), subject.vehicle(), subject.Condensed()->At(fit.values), diagnostics);
+  const auto is_cleared = [&](const std::vector<std::string>& channels) {
+    AuditedVehicle audited(subject);
+    AddRecordings(audited);
+    return ClearsChannels(AuditRig(audited.audited()), channels);
+  };
+  LintChannels(plan, RunsInBand(), subject.vehicle(), subject.Condensed()->At(fit.values), is_cleared, diagnostics);
 }
 
 ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit) const {
@@ -214,7 +220,7 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   const std::vector<OctaveDiscrepancy> discrepancies = AddFitted(subject, fit, model, results);
   const std::vector<FrequencyResponse> predicted(modelled.begin() + std::ssize(runs), modelled.end());
   AddValidation(InBand(validation, plan.band_lower_Hz, plan.band_upper_Hz),
-                InBand(predicted, plan.band_lower_Hz, plan.band_upper_Hz), results);
+                InBand(predicted, plan.band_lower_Hz, plan.band_upper_Hz), plan.model_error, results);
   const std::vector<MeasuredRun>& drawn = runs.empty() ? validation : runs;
   results.files.emplace_back(
       "response.csv",
@@ -233,7 +239,8 @@ std::vector<OctaveDiscrepancy> FourPost::AddFitted(const Subject& subject, const
   const Vehicle& vehicle = subject.vehicle();
   const std::vector<MeasuredRun> in_band = RunsInBand();
   const std::vector<FrequencyResponse> fitted = ModelledResponses(model, vehicle.sensors, in_band);
-  const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, fitted);
+  std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, fitted);
+  AddDeviations(in_band, fitted, plan.model_error, misfits);
   const std::vector<ChannelMisfit> by_recording = RecordingMisfits(in_band, fitted);
   const std::vector<OctaveDiscrepancy> discrepancies = ResponseDiscrepancies(in_band, fitted);
   results.json.update({{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},

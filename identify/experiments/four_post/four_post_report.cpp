@@ -130,7 +130,9 @@ class ResponseData : public ExperimentData {
   }
 
   ReportRemarks Remarks() const override {
-    ReportRemarks remarks = ResponseRemarks(channels_);
+    const nlohmann::json audit = result_.value("audit", nlohmann::json());
+    const bool is_cleared = !ListAt(audit, "resolutions").empty() && ListAt(audit, "suspicions").empty();
+    ReportRemarks remarks = ResponseRemarks(channels_, is_cleared);
     remarks.modelled = ListAt(result_, "responses");
     remarks.missing_force = MissingForceRemark(result_);
     return remarks;

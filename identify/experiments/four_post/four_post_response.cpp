@@ -91,7 +91,7 @@ AnsweredRuns Answered(const std::vector<MeasuredRun>& runs, const Subject& subje
   return answered;
 }
 
-void AddTables(const AnsweredRuns& answered, ExperimentResults& results) {
+void AddTables(const AnsweredRuns& answered, const ModelError& model_error, ExperimentResults& results) {
   if (const AnsweredRuns fitted = answered.Those(false); !fitted.empty()) {
     for (const ChannelMisfit& misfit : ResponseMisfits(fitted.runs, fitted.modelled))
       results.json["channels"].push_back(
@@ -99,7 +99,7 @@ void AddTables(const AnsweredRuns& answered, ExperimentResults& results) {
     results.text += fitted.Table("");
   }
   if (const AnsweredRuns kept = answered.Those(true); !kept.empty()) {
-    results.json["validation"] = UnseenMisfitsJson(kept.runs, kept.modelled);
+    results.json["validation"] = UnseenMisfitsJson(kept.runs, kept.modelled, model_error);
     results.text +=
         (results.text.empty() ? "" : "\n") + std::string("Kept for validation:\n") + kept.Table(results.text);
   }
@@ -119,7 +119,7 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
   const AnsweredRuns answered = Answered(asked, subject, engine.value_or(Engine::kAuto), hooks, results, engines);
   if (answered.empty()) return std::nullopt;
   results.is_whole = answered.runs.size() == asked.size();
-  AddTables(answered, results);
+  AddTables(answered, plan.model_error, results);
   results.text += engines;
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(answered.runs, answered.modelled);
   results.files = {

@@ -68,7 +68,9 @@ std::string Groups(const std::vector<LargeMisfit>& findings) {
 }  // namespace
 
 void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_band, const Vehicle& vehicle,
-                  const CondensedModel& model, Diagnostics& diagnostics) {
+                  const CondensedModel& model,
+                  const std::function<bool(const std::vector<std::string>& channels)>& is_cleared,
+                  Diagnostics& diagnostics) {
   constexpr std::size_t kShown = 3;
   const std::vector<LargeMisfit> findings =
       WorstFirst(in_band, ModelledResponses(model, vehicle.sensors, in_band), plan.model_error);
@@ -81,11 +83,17 @@ void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_b
   const bool is_one = std::all_of(findings.begin(), findings.end(), [&](const LargeMisfit& finding) {
     return finding.channel == findings.front().channel;
   });
+  std::vector<std::string> channels;
+  for (const LargeMisfit& finding : findings) channels.push_back(finding.channel);
+  const bool is_model = is_cleared(channels);
   const Place section{plan.file, plan.channels_line};
   if (is_one)
-    ChannelWarnings(plan.file, plan.channels, diagnostics).Report(kSinesFarOff, findings.front().channel, {worst});
-  else if (findings.size() <= kShown) diagnostics.Report(kSinesFarOff, section, {worst});
-  else diagnostics.Report(kManySinesFarOff, section, {Groups(findings), worst});
+    ChannelWarnings(plan.file, plan.channels, diagnostics).Report(is_model ? kModelFarOffSines : kSinesFarOff,
+                                                                     findings.front().channel, {worst});
+  else if (findings.size() <= kShown)
+    diagnostics.Report(is_model ? kModelFarOffSines : kSinesFarOff, section, {worst});
+  else
+    diagnostics.Report(is_model ? kModelFarOffManySines : kManySinesFarOff, section, {Groups(findings), worst});
 }
 
 }  // namespace fourpost

@@ -26,7 +26,16 @@ std::string RivalsOf(const nlohmann::json& explanation) {
 /// As a multiple of it.
 constexpr double kBeyondNoise = 1.5;
 
-std::string ExplanationTable(const nlohmann::json& missing) {
+/// What a fit with it would gain by, where the force alone names nothing; empty of runs that did not look or found none.
+std::string InsteadByFit(const nlohmann::json& result) {
+  const std::vector<nlohmann::json> found = ListAt(result.value("missing", nlohmann::json()), "suggestions");
+  if (found.empty()) return "";
+  return " A fit with " + html::Escaped(TextAt(found.front(), "text")) + " lowers the cost by " +
+         ShownNumber(NumberAt(found.front(), "fall_percent"), 2) +
+         " % all the same, see the summary: there the other parameters move with it, here they stay as fitted.";
+}
+
+std::string ExplanationTable(const nlohmann::json& missing, const nlohmann::json& result) {
   std::vector<std::vector<html::Cell>> rows;
   for (const nlohmann::json& one : ListAt(missing, "explanations")) {
     const double share = std::abs(NumberAt(one, "sd") / NumberAt(one, "amount"));
@@ -38,8 +47,9 @@ std::string ExplanationTable(const nlohmann::json& missing) {
   }
   if (rows.empty())
     return NumberAt(missing, "misfit") > kBeyondNoise
-               ? "<p>No mechanism is named: none of those tried explains a tenth of the force. What fitted parameters "
-                 "took up of it no longer shows here.</p>\n"
+               ? std::string("<p>No mechanism is named: none of those tried explains a tenth of the force. What fitted parameters "
+                 "took up of it no longer shows here.") +
+                     InsteadByFit(result) + "</p>\n"
                : "<p>No mechanism is named: the force is within its noise.</p>\n";
   return html::Table(
       {"looks like", "amount", "sd [%]", "band [Hz]", "largest [N]", "explains [%]", "would explain it as well"}, rows);
@@ -78,7 +88,7 @@ std::string MissingForceHtml(const nlohmann::json& result, const std::string* pi
     html +=
         "<p><strong>The audit suspects a channel.</strong> A wrong channel makes forces of its own; correct it "
         "first.</p>\n";
-  html += ExplanationTable(missing);
+  html += ExplanationTable(missing, result);
   if (!ListAt(result.value("missing", nlohmann::json()), "suggestions").empty())
     html +=
         "<p>What could be added to the vehicle, each tried in a fit, is listed in the summary under \u201cWhat is "

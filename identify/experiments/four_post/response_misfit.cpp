@@ -5,6 +5,7 @@
 #include <map>
 
 #include "analysis/signals/decibel.h"
+#include "identify/experiments/four_post/four_post_residuals.h"
 
 namespace fourpost {
 namespace {
@@ -115,6 +116,25 @@ std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
     misfits[i].residual_correlation = sums[i].NeighbourCorrelation();
   }
   return misfits;
+}
+
+void AddDeviations(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+                   const ModelError& model_error, std::vector<ChannelMisfit>& misfits) {
+  for (ChannelMisfit& misfit : misfits) {
+    double squares = 0;
+    double count = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const MeasuredChannel* const channel = Find(runs[r], misfit.name);
+      if (channel == nullptr) continue;
+      const auto place = static_cast<std::size_t>(channel - runs[r].channels.data());
+      const double off = ResponseDeviations(runs[r], modelled[r], model_error)[place];
+      const auto frequencies = static_cast<double>(channel->response.size());
+      if (!std::isfinite(off)) continue;
+      squares += frequencies * off * off;
+      count += frequencies;
+    }
+    if (count > 0) misfit.misfit = std::sqrt(squares / count);
+  }
 }
 
 std::vector<ChannelMisfit> RecordingMisfits(const std::vector<MeasuredRun>& runs,

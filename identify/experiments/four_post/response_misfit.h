@@ -24,6 +24,8 @@ struct ChannelMisfit {
   std::optional<double> linear_percent = {};
   /// Of relative differences of the complex responses at neighbouring frequencies; about 0 where noise is all there is.
   double residual_correlation = 0;
+  /// Residuals over noise and stated model error, see ResponseDeviations(), over all recordings.
+  std::optional<double> misfit = {};
 
   /// The least error that either shows to be possible: more is the model's.
   std::optional<double> Allowed_percent() const;
@@ -33,6 +35,10 @@ struct ChannelMisfit {
 /// answer (NaN) are left out.
 std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
                                            const std::vector<FrequencyResponse>& modelled);
+
+/// Adds ChannelMisfit::misfit. Arguments as of ResponseMisfits.
+void AddDeviations(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+                   const ModelError& model_error, std::vector<ChannelMisfit>& misfits);
 
 /// Of each recording over all its channels, by its name: root mean squares of dB and degrees; the error in percent is
 /// the mean over units of squared differences over the squares measured, summed over the channels of a unit, so that a

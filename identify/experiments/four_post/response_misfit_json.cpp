@@ -19,6 +19,7 @@ nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& mis
     nlohmann::ordered_json entry = {{"name", misfit.name}};
     entry.update(ErrorsJson(misfit));
     entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
+    if (misfit.misfit) entry["misfit"] = NumberOrNull(*misfit.misfit);
     entry["residual_correlation"] = NumberOrNull(misfit.residual_correlation);
     if (const std::optional<double> allowed = misfit.Allowed_percent()) {
       nlohmann::ordered_json& yardstick = entry["yardstick"];
@@ -32,15 +33,20 @@ nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& mis
 }
 
 nlohmann::ordered_json UnseenMisfitsJson(const std::vector<MeasuredRun>& unseen,
-                                         const std::vector<FrequencyResponse>& predicted) {
+                                         const std::vector<FrequencyResponse>& predicted,
+                                         const ModelError& model_error) {
   auto list = nlohmann::ordered_json::array();
-  for (std::size_t r = 0; r < unseen.size(); ++r)
-    for (const ChannelMisfit& misfit : ResponseMisfits({unseen[r]}, {predicted[r]})) {
+  for (std::size_t r = 0; r < unseen.size(); ++r) {
+    std::vector<ChannelMisfit> misfits = ResponseMisfits({unseen[r]}, {predicted[r]});
+    AddDeviations({unseen[r]}, {predicted[r]}, model_error, misfits);
+    for (const ChannelMisfit& misfit : misfits) {
       nlohmann::ordered_json entry = {{"recording", unseen[r].name}, {"name", misfit.name}};
       entry.update(ErrorsJson(misfit));
       entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
+      if (misfit.misfit) entry["misfit"] = NumberOrNull(*misfit.misfit);
       list.push_back(std::move(entry));
     }
+  }
   return list;
 }
 

@@ -11,11 +11,12 @@ namespace fourpost {
 /// "rms_dB", "rms_deg" and "nmse_percent"; what is not finite is null.
 nlohmann::ordered_json ErrorsJson(const ChannelMisfit& misfit);
 
-/// Of each channel its "name", ErrorsJson() and "vaf_percent".
+/// Of each channel its "name", ErrorsJson(), "vaf_percent" and, where it is known, "misfit".
 nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& misfits);
 
 /// The same of each "recording" that was kept for validation.
 nlohmann::ordered_json UnseenMisfitsJson(const std::vector<MeasuredRun>& unseen,
-                                         const std::vector<FrequencyResponse>& predicted);
+                                         const std::vector<FrequencyResponse>& predicted,
+                                         const ModelError& model_error);
 
 }  // namespace fourpost

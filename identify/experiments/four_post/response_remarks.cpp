@@ -53,7 +53,7 @@ bool HasMean(const ComparedChannel& channel) {
 
 }  // namespace
 
-ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels) {
+ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels, bool is_wiring_cleared) {
   ReportRemarks remarks;
   if (channels.empty()) return remarks;
   remarks.measures_force = std::any_of(channels.begin(), channels.end(), IsForce);
@@ -69,9 +69,9 @@ ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels) {
   remarks.worst = "The largest relative error is at " + channel + " between " + ShownShort(worst->lower_Hz, 3) +
                   " and " + ShownShort(2 * worst->lower_Hz, 3) + " Hz.";
   remarks.where_missed =
-      "Check the wiring of " + channel +
-      " (sign, scale, delay, position). If it is right, the model lacks a mechanism "
-      "near " +
+      (is_wiring_cleared ? "The audit suspects no channel, so at " + channel + " the model lacks a mechanism near "
+                         : "Check the wiring of " + channel +
+                               " (sign, scale, delay, position). If it is right, the model lacks a mechanism near ") +
       ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) + " Hz" +
       (worst->lower_Hz < 2
            ? ". Large errors in small slow strokes are typical of dry friction. Add friction, or test these "

@@ -8,6 +8,6 @@
 namespace fourpost {
 
 /// Where the model is farthest from these channels, and what to measure beside them.
-ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels);
+ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels, bool is_wiring_cleared = false);
 
 }  // namespace fourpost

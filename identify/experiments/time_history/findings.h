@@ -77,6 +77,13 @@ inline const Finding kHistoryWindowOutside{"history-window-outside", Severity::k
                                            "correct 'start' and 'end', or record longer"};
 inline const Finding kChannelDead{"channel-dead", Severity::kError, "'{}' does not change in {}",
                                   "remove the dead channel from the study"};
+inline const Finding kChannelMotionless{
+    "channel-motionless", Severity::kWarning,
+    "'{}' does not move in '{}' (rms {}, the largest of its kind {}), so it is left out there",
+    "check its cable if it should move; else nothing is missing", Weight::kSlight};
+inline const Finding kHistoryMotionless{"history-motionless", Severity::kError,
+                                        "no channel of history '{}' moves beside its posts",
+                                        "check the cables and the units of its channels"};
 inline const Finding kChannelSaturated{
     "channel-saturated", Severity::kWarning, "'{}' {} of {}, like a saturated sensor",
     "exclude it from the window by 'start' and 'end' of the history, or remove the channel from the study",

@@ -8,6 +8,7 @@
 #include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/clipping.h"
+#include "analysis/signals/motionless.h"
 #include "analysis/signals/noise_floor.h"
 #include "analysis/signals/random_stream.h"
 #include "analysis/signals/spectrum.h"
@@ -266,6 +267,48 @@ class HistoryLoader {
       if (CheckSaturation(name, signal.unit, source, history, all)) history.signals.push_back(std::move(signal));
     }
     if (history.signals.empty()) Fault(kHistoryAllSaturated, study_.line, {study_.name});
+    for (MeasuredSignal& signal : history.signals) signal.loudest = LoudestOf(signal.unit, history);
+    LeaveOutMotionless(history);
+  }
+
+  static double LoudestOf(const std::string& unit, const MeasuredHistory& history) {
+    double loudest = 0;
+    for (const MeasuredSignal& other : history.signals)
+      if (other.unit == unit) loudest = std::max(loudest, other.Deviation());
+    return loudest;
+  }
+
+  /// Their weights would be those of rounding. Dead ones are faults already.
+  void LeaveOutMotionless(MeasuredHistory& history) {
+    std::erase_if(history.signals, [&](const MeasuredSignal& signal) {
+      const double deviation = signal.Deviation();
+      const double size = std::max(signal.loudest, SizeByPosts(signal.unit, history));
+      if (deviation == 0 || deviation >= kMotionlessShare * size) return false;
+      diagnostics_.Report(kChannelMotionless, {file_, signal.source.line},
+                          {signal.name, history.name, ShortNumber(deviation, 2) + " " + signal.unit,
+                           ShortNumber(size, 2) + " " + signal.unit});
+      return true;
+    });
+    if (history.signals.empty() && good_) Fault(kHistoryMotionless, study_.line, {study_.name});
+  }
+
+  /// What the posts' motion alone moves sensors of this unit by, for one that is the only one of its kind. Turning by
+  /// the largest distance between posts of a road vehicle, of which it is less than for any other.
+  static double SizeByPosts(const std::string& unit, const MeasuredHistory& history) {
+    constexpr double kLongest_m = 10;
+    double height_m = 0;
+    double speed = 0;
+    for (const std::vector<double>& heights : history.heights) {
+      if (heights.size() < 2) continue;
+      const Eigen::Map<const Eigen::VectorXd> z(heights.data(), std::ssize(heights));
+      const Eigen::VectorXd slope = history.rate_Hz * (z.tail(z.size() - 1) - z.head(z.size() - 1));
+      height_m = std::max(height_m, std::sqrt((z.array() - z.mean()).square().mean()));
+      speed = std::max(speed, std::sqrt(slope.squaredNorm() / static_cast<double>(slope.size())));
+    }
+    if (unit == "m") return height_m;
+    if (unit == "m/s") return speed;
+    if (unit == "rad") return height_m / kLongest_m;
+    return unit == "rad/s" ? speed / kLongest_m : 0;
   }
 
   /// Of the window. False where the channel is to be left out: what it should have read is not known.

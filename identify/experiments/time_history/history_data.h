@@ -26,6 +26,8 @@ struct MeasuredSignal {
   Eigen::VectorXd values;
   /// Of the noise that the study states; 0: none.
   double noise_sd = 0;
+  /// Deviation of the loudest of its unit in the recording; 0: not known.
+  double loudest = 0;
   /// Of the recording.
   ChannelSource source = {};
 

@@ -16,9 +16,11 @@ using Cause = HistoryRemark::Cause;
 
 // A model that is wrong in shape gains less by a shift.
 constexpr double kMuch = 0.25;
+// What shift and scale leave above it is most of the channel: they explain nothing, however much larger the error is.
+constexpr double kMost_percent = 50;
 
 bool GainsByTiming(const HistoryMisfit& misfit) {
-  return misfit.gain && *misfit.timed_nmse_percent < kMuch * misfit.nmse_percent;
+  return misfit.gain && *misfit.timed_nmse_percent < std::min(kMuch * misfit.nmse_percent, kMost_percent);
 }
 
 using Words = std::vector<std::string>;

@@ -19,6 +19,9 @@ namespace {
 
 using Eigen::Index;
 
+/// What a sensor takes of a motion across its axis, of the loudest of its unit: data sheets of accelerometers state less.
+constexpr double kCrossAxis = 0.02;
+
 Index Strided(Index count, Index stride) { return (count + stride - 1) / stride; }
 
 double LogDeterminantOf(const std::vector<KalmanPrediction>& predictions) {
@@ -281,7 +284,7 @@ Eigen::MatrixXd HistoryResiduals::ByCalibrations(const std::vector<Calibration>&
 }
 
 double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
-  return std::hypot(signal.noise_sd, options_.model_error * signal.Deviation());
+  return std::hypot(signal.noise_sd, options_.model_error * std::max(signal.Deviation(), kCrossAxis * signal.loudest));
 }
 
 std::vector<KalmanPrediction> HistoryResiduals::Predicted(const std::vector<double>& values,

@@ -21,7 +21,8 @@ namespace fourpost {
 
 /// How far a vehicle is from histories, as residuals. Whitened:
 ///   (modelled - measured) / sqrt(noise^2 + (model error s)^2) at every MeasuredHistory::Stride-th sample,
-/// s: the signal's own deviation; no noise is white behind a filter at the full rate. By compromise (thesis 4.29):
+/// s: the signal's own deviation, at least 2 % of that of the loudest of its unit; no noise is white behind a filter at
+/// the full rate. By compromise (thesis 4.29):
 ///   J_k r_k / |r_k|, J_k = |r_k|^2 the signal's normalised mean square error [%],
 /// whose squares add up to the sum of all J_k^2, with weights 1 and aims 0. By prediction: of the innovations e of a
 /// KalmanPredictor with covariances S
@@ -102,6 +103,9 @@ class HistoryResiduals {
   /// Groups of sensors, recordings, and the order of samples.
   ResidualStructure Structure() const;
 
+  /// Of a whitened residual.
+  double DeviationOf(const MeasuredSignal& signal) const;
+
   /// The vehicle at these values, and at the history's setting.
   CondensedModel ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const;
 
@@ -129,8 +133,6 @@ class HistoryResiduals {
                              const Eigen::MatrixXd& modelled) const;
   /// The state at the start that suits it added.
   void AddStartTo(const MeasuredHistory& history, const CondensedModel& model, Eigen::MatrixXd& modelled) const;
-  /// Of a whitened residual.
-  double DeviationOf(const MeasuredSignal& signal) const;
   Eigen::VectorXd OfPrediction(const std::vector<KalmanPrediction>& predictions) const;
   void AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal, const Eigen::VectorXd& modelled,
                  Eigen::Ref<Eigen::VectorXd> out) const;

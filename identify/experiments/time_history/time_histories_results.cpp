@@ -30,6 +30,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// HistoryMisfit::misfit, where the cost has one.
+void AddDeviations(const HistoryResiduals& residuals, const std::vector<Eigen::MatrixXd>& modelled,
+                   std::vector<HistoryMisfit>& misfits) {
+  auto misfit = misfits.begin();
+  for (std::size_t h = 0; h < modelled.size(); ++h)
+    for (std::size_t s = 0; s < residuals.histories()[h].signals.size(); ++s, ++misfit) {
+      const MeasuredSignal& signal = residuals.histories()[h].signals[s];
+      const auto error = modelled[h].col(static_cast<Eigen::Index>(s)) - signal.values;
+      const double off = std::sqrt(error.squaredNorm() / static_cast<double>(error.size())) /
+                         residuals.DeviationOf(signal);
+      if (std::isfinite(off)) misfit->misfit = off;
+    }
+}
+
 /// Table and files; `name` of the files. `reduced`: by the residuals, whatever engine has modelled them.
 std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& vehicle,
                                 const HistoryResiduals& residuals, const std::vector<double>& values,
@@ -39,6 +53,7 @@ std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& 
   const HistoryPlan& plan = experiment.plan;
   const std::vector<MeasuredHistory>& histories = residuals.histories();
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
+  if (plan.cost == HistoryCost::kWhitened) AddDeviations(residuals, modelled, misfits);
   if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
   LintHistories(plan.file, plan.histories, vehicle, values, residuals, reduced, misfits, results.findings);
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
@@ -178,7 +193,9 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
                    ExperimentResults& results, std::vector<RecordedHistory>& motions) {
   const Predictions predictions = PredictAll(experiment, subject, fit, error, results);
   if (predictions.histories.empty()) return;
-  const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {.steps_s = predictions.steps_s});
+  const HistoryResiduals residuals(
+      subject.Condensed(), predictions.histories,
+      {.model_error = experiment.Options(subject).model_error, .steps_s = predictions.steps_s});
   results.json["validation"] =
       HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled,
                               predictions.reduced, false, "validation", results.unseen_text, results));

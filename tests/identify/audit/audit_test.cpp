@@ -185,5 +185,20 @@ TEST(AuditEquations, CoordinatesLeaveNothingOver) {
   }
 }
 
+TEST(Audit, ClearsChannelsWhoseScaleAndDelayItWouldHaveSeen) {
+  const Resolution scale{.fault = {.kind = Kind::kScale, .name = "s"}, .sd = 0.01};
+  const Resolution delay{.fault = {.kind = Kind::kDelay, .name = "s"}, .sd = 0.0005};
+  Audit audit;
+  audit.is_redundant = true;
+  audit.resolutions = {scale, delay};
+  EXPECT_TRUE(ClearsChannels(audit, {"s"}));
+  EXPECT_FALSE(ClearsChannels(audit, {"s", "other"}));
+  audit.resolutions[1].sd = 0.005;
+  EXPECT_FALSE(ClearsChannels(audit, {"s"}));
+  audit.resolutions[1].sd = 0.0005;
+  audit.suspicions.emplace_back();
+  EXPECT_FALSE(ClearsChannels(audit, {"s"}));
+}
+
 }  // namespace
 }  // namespace fourpost

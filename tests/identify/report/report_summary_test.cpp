@@ -79,6 +79,18 @@ TEST(Summary, TellsHistoriesByTheirNmse) {
               AllOf(HasSubstr("<code>a</code> is within 5 % NMSE"), HasSubstr("Poor: <code>s</code> (60 % NMSE)")));
 }
 
+// Next to a node noise is many decibels; far from one a tenth of a decibel may be far beyond noise.
+TEST(Summary, JudgesChannelsByNoiseAndModelErrorWhereTheRunHoldsThem) {
+  Json result = Good();
+  result["channels"] = Json::parse(R"([{"name": "a_cg", "rms_dB": 5.3, "rms_deg": 27, "misfit": 0.7},
+                                       {"name": "F_post", "rms_dB": 1.5, "rms_deg": 5, "misfit": 11},
+                                       {"name": "a_hub", "rms_dB": 0.4, "rms_deg": 2, "misfit": 4}])");
+  EXPECT_THAT(SummaryOf(result, Known()),
+              AllOf(HasSubstr("<code>a_cg</code> is within 1.5 times noise and stated model error."),
+                    HasSubstr("Poor: <code>F_post</code> (11 times noise and model error; 1.5 dB, 5.0\u00b0). "),
+                    HasSubstr("Fair: <code>a_hub</code> (4.0 times")));
+}
+
 TEST(Summary, TellsRecordingsApartAndWhatItPredicts) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "1 Hz", "name": "force", "nmse_percent": 2},
@@ -251,7 +263,8 @@ TEST(Summary, SaysThatARunHasNotEnded) {
   std::vector<ReportedParameter> parameters = Known();
   for (ReportedParameter& parameter : parameters) parameter.sd = NAN;
   EXPECT_THAT(SummaryOf(result, parameters),
-              AllOf(HasSubstr("verdict poor"), HasSubstr("interrupted"), HasSubstr("before standard deviations"),
+              AllOf(HasSubstr("verdict open"), HasSubstr(">Not finished<"), HasSubstr("interrupted"),
+                    HasSubstr("<dt>What to do next</dt>"), HasSubstr("before standard deviations"),
                     HasSubstr("Run the same command again")));
 }
 

@@ -35,6 +35,14 @@ TEST(ReportTiles, SayFourFiguresAndAWord) {
                     HasSubstr("class=\"known\" title=\"m\""), HasSubstr("class=\"open\" title=\"k\"")));
 }
 
+// A narrow range makes a small deviation, not a known value.
+TEST(ReportTiles, CountNoParameterThatOnlyItsBoundsLimit) {
+  ReportedParameter held = Known("m", 2, 0.1);
+  held.state = ParameterState::kUndetermined;
+  EXPECT_THAT(TilesHtml({.verdict = "open", .misfit = 1, .parameters = {held}}),
+              AllOf(HasSubstr("<b>0<small> of 1</small></b>"), HasSubstr(">Not finished<")));
+}
+
 TEST(ReportTiles, OfARunThatSaysNothingSayNothing) {
   EXPECT_THAT(TilesHtml({.verdict = "poor", .misfit = std::nan("")}),
               AllOf(HasSubstr(">Poor<"), HasSubstr("no recording was kept"), HasSubstr("no intervals"),

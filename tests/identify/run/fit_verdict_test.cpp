@@ -52,6 +52,21 @@ TEST(FitVerdict, NamesHeldParametersWithoutADerivative) {
   EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kHeldLeftOut, 0, {"k_stop, gap"}));
 }
 
+TEST(FitVerdict, NamesParametersThatOnlyTheirBoundsLimit) {
+  FitResult fit;
+  fit.covariance.emplace();
+  fit.parameters = {{.name = "m_body", .value = 978, .lower = 923, .upper = 1021},
+                    {.name = "k", .value = 20, .lower = 10, .upper = 40}};
+  for (FittedParameter& parameter : fit.parameters) parameter.state = ParameterState::kUndetermined;
+  fit.parameters[0].lower_95 = 923;
+  fit.parameters[0].upper_95 = 1021;
+  fit.parameters[1].lower_95 = 15;
+  fit.parameters[1].upper_95 = 25;
+  const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
+  EXPECT_THAT(conclusions, Reports(kIntervalFillsBounds, 0, {"do not determine: m_body"}));
+  EXPECT_THAT(conclusions, testing::Not(Reports(kIntervalFillsBounds, 0, {"m_body, k"})));
+}
+
 // Two starts may well end apart, and one refinement has nothing to agree with.
 TEST(FitVerdict, NamesABestOptimumThatOneOfManyRefinementsFound) {
   FitResult fit;

@@ -72,6 +72,16 @@ TEST_F(SweepReading, TellsAllFaultsAtOnce) {
   EXPECT_THAT(diagnostics_, ReportsOption(kOptionSensor, "--channels", {"'a_nothing'"}));
 }
 
+// Generated vehicles call their posts front_post_left and the like.
+TEST_F(SweepReading, TakesAPostByAPlaceThatIsItsAlone) {
+  vehicle_.posts[0].name = "front_post_left";
+  const auto request = Read({.modes = {"FL=1,RR=-0.5"}});
+  ASSERT_TRUE(request) << diagnostics_.Format();
+  EXPECT_THAT(request->sweeps[0].excitation.shape, ElementsAre(1, 0, 0, -0.5));
+  EXPECT_FALSE(Read({.modes = {"front=1"}}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSharePost, "--mode", {"'front'"}));
+}
+
 TEST_F(SweepReading, TakesEachPostOnce) {
   EXPECT_FALSE(Read({.modes = {"FL=1,RL=1,FL=-1"}}));
   EXPECT_THAT(diagnostics_, ReportsOption(kSharePostTwice, "--mode", {"'FL'"}));

@@ -101,6 +101,26 @@ TEST(HistoryRemark, GivesAScaleWithTheDelay) {
   EXPECT_LT(Promised(small), kNothing_percent);
 }
 
+// A model that another channel drew away by millions: what a scale leaves is the whole channel.
+TEST(HistoryRemark, GivesNoScaleThatExplainsNothing) {
+  Eigen::MatrixXd modelled(2000, 1);
+  Eigen::VectorXd measured(2000);
+  for (Eigen::Index k = 0; k < measured.size(); ++k) {
+    const double t = static_cast<double>(k) / kRate_Hz;
+    measured[k] = Model(t);
+    modelled(k, 0) = 3e6 * std::sin(2 * std::numbers::pi * 17 * t);
+  }
+  const std::vector<MeasuredHistory> histories = {
+      {.name = "sweep",
+       .rate_Hz = kRate_Hz,
+       .posts = {},
+       .filter = {},
+       .count = measured.size(),
+       .signals = {{.name = "a", .unit = "m/s^2", .values = measured, .source = {.channels = {{"a"}}}}}}};
+  const std::vector<Eigen::MatrixXd> models = {modelled};
+  EXPECT_TRUE(RemarksOn(HistoryMisfits(histories, models), 1 / kRate_Hz, RemediedErrors(histories, models)).empty());
+}
+
 TEST(HistoryRemark, NamesAUnit) {
   EXPECT_THAT(Remarks(1 / 9.80665, 0),
               Reports(kChannelUnitMistaken, 0, {"in g ", "m/s^2", "'a: {channel: a, unit: g}'"}));
