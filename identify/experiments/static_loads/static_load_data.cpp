@@ -106,7 +106,8 @@ ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicl
       .differentiate =
           [vehicle, loads](const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
             return LoadSlopes(*vehicle, loads, values, parameters);
-          }};
+          },
+      .is_cheap = true};
   if (!calibrations.empty())
     block.by_calibrations = [vehicle, loads, calibrations](const std::vector<double>& values) {
       return LoadCalibrations(*vehicle, loads, calibrations, values);
