@@ -60,8 +60,8 @@ struct Audit {
   bool is_redundant = false;
 };
 
-/// Whether redundancy clears these channels: nothing is suspected, and of each a scale that is off by a tenth and a delay
-/// of 5 ms would have been, a few degrees where bodies resonate, far less than what errors beyond the model need.
+/// Whether redundancy clears these channels: nothing is suspected, and of each a scale that is off by a tenth and a
+/// delay of 5 ms would have been, a few degrees where bodies resonate, far less than what errors beyond the model need.
 bool ClearsChannels(const Audit& audit, const std::vector<std::string>& channels);
 
 /// Standard deviations beyond which a fault is suspected. Of 200 to 400 possible faults in good records one is by

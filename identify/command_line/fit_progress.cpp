@@ -27,11 +27,12 @@ class FitLine {
     stage_ = progress.stage;
     profiled_ = progress.profiled;
     const auto computed = static_cast<double>(progress.paid - progress.restored);
-    line_.Show(std::string(progress.stage) + ": " + Done(progress) + Rate(computed, seconds, "evaluations") +
-               Best(progress.best_cost) + "; in all " + std::to_string(progress.paid) + " evaluations (" +
-               std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
-               std::to_string(progress.restored) + " from the archive)" +
-               (progress.coarse > 0 ? "; " + std::to_string(progress.coarse) + " with a quarter of the frequencies" : ""));
+    line_.Show(
+        std::string(progress.stage) + ": " + Done(progress) + Rate(computed, seconds, "evaluations") +
+        Best(progress.best_cost) + "; in all " + std::to_string(progress.paid) + " evaluations (" +
+        std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
+        std::to_string(progress.restored) + " from the archive)" +
+        (progress.coarse > 0 ? "; " + std::to_string(progress.coarse) + " with a quarter of the frequencies" : ""));
   }
 
  private:

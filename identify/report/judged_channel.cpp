@@ -23,7 +23,7 @@ constexpr double kClose_percent = 5;
 constexpr double kFar_percent = 20;
 
 // Residuals over noise and stated model error, as of the whole fit: kLargeMisfit and kFarMisfit.
-constexpr double kExplained = 1.5;
+constexpr double kWithinNoise = 1.5;
 constexpr double kFar = 3;
 
 Follows Judge(double score_close, double score_far) {
@@ -37,7 +37,7 @@ void JudgeByMisfit(const Json& channel, JudgedChannel& judged) {
   if (!std::isfinite(judged.misfit)) return;
   judged.numbers = ShownNumber(judged.misfit, 2) + " times noise and model error; " + judged.numbers;
   const bool looks_alike = judged.score <= 1;
-  judged.score = judged.misfit / kExplained;
+  judged.score = judged.misfit / kWithinNoise;
   judged.follows = Judge(judged.score, looks_alike ? 0 : judged.misfit / kFar);
 }
 
@@ -88,15 +88,15 @@ std::string ShownLimits(const std::vector<JudgedChannel>& channels) {
   const auto has_misfit = [](const JudgedChannel& channel) { return std::isfinite(channel.misfit); };
   std::vector<std::string> limits;
   if (std::any_of(channels.begin(), channels.end(), has_misfit))
-    limits.push_back(ShownNumber(kExplained, 2) + " times noise and stated model error");
+    limits.push_back(ShownNumber(kWithinNoise, 2) + " times noise and stated model error");
   const auto by_size = [&](bool over_time) {
     return std::any_of(channels.begin(), channels.end(), [&](const JudgedChannel& channel) {
       return !has_misfit(channel) && is_history(channel) == over_time;
     });
   };
-  if (by_size(false)) limits.push_back(ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) + "\u00b0 rms");
-  if (by_size(true))
-    limits.push_back(ShownNumber(kClose_percent, 1) + " % NMSE");
+  if (by_size(false))
+    limits.push_back(ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) + "\u00b0 rms");
+  if (by_size(true)) limits.push_back(ShownNumber(kClose_percent, 1) + " % NMSE");
   std::string text;
   for (const std::string& limit : limits) text += (text.empty() ? "" : ", or ") + limit;
   return text;

@@ -251,12 +251,13 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   const OrderedJson scene = SceneOf(parts, run, scene_fault);
 
   const StudyAbout about = AboutOf(run);
-  const std::string body =
-      Header(result, about) + "<nav id=\"contents\"></nav>\n<main>\n" +
-      html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
-      html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why, ConfidenceOf(result)) +
-                                                IntervalBasisHtml(parameters, result) + Profiles(result, run)) +
-      Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
+  const std::string body = Header(result, about) + "<nav id=\"contents\"></nav>\n<main>\n" +
+                           html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
+                           html::Section("parameters", "Parameters",
+                                         ParameterTableHtml(parameters, why, ConfidenceOf(result)) +
+                                             IntervalBasisHtml(parameters, result) + Profiles(result, run)) +
+                           Body(result, parts, scene, scene_fault, why) + "</main>\n" +
+                           PageFooter("the files in the folder of the fit");
   return PageOf(TitleOf(result, about) + " \u2013 fourpost report", body,
                 DataOf(result, parts, scene, run, parameters));
 }

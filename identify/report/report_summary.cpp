@@ -144,7 +144,8 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
   std::string text = DoesNotExplain(result);
   if (!text.empty()) name = "poor";
   else if (end == "converged") text = "<strong>The fit converged.</strong> ";
-  else if (end == "interrupted") text = "<strong>The fit is not finished, it was interrupted.</strong> This is the best point until then. ";
+  else if (end == "interrupted")
+    text = "<strong>The fit is not finished, it was interrupted.</strong> This is the best point until then. ";
   else if (end == "all_failed") text = "<strong>Every simulation failed.</strong> Nothing was fitted. ";
   else if (end == "not_converged") text = "<strong>The fit did not converge.</strong> A better point may be near. ";
   else text = "<strong>The end of the fit is of an unknown kind.</strong> ";
@@ -372,8 +373,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
 std::string WhatWasOdd(const Json& result) {
   std::string items;
   for (const Json& warning : ListAt(result, "warnings"))
-    if (const std::string text = FindingText(warning); !text.empty())
-      items += html::Element("li", "", WithCode(text));
+    if (const std::string text = FindingText(warning); !text.empty()) items += html::Element("li", "", WithCode(text));
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 
@@ -438,7 +438,9 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters, remarks)) +
-         Item(TextAt(result, "termination") == "interrupted" ? "What to do next" : "What to measure next", html::Element("ul", "", next)) + "</dl>\n";
+         Item(TextAt(result, "termination") == "interrupted" ? "What to do next" : "What to measure next",
+              html::Element("ul", "", next)) +
+         "</dl>\n";
 }
 
 }  // namespace fourpost

@@ -109,7 +109,8 @@ Limit LimitOf(const std::string& limited_by) {
     return {"limited by what the model lacks (" + name + ")", "Add it to the model, and fit again."};
   if (kind == "held") return {"limited by the held " + name, "Measure " + name + ", or free it."};
   if (kind == "calibration")
-    return {"limited by the calibration of " + name, "Calibrate " + name + " and state the smaller deviation."};
+    return {"limited by the calibration of " + name,
+            "Calibrate " + name + " and state the smaller standard deviation."};
   return {"limited by " + InWords(limited_by), ""};
 }
 
@@ -163,7 +164,8 @@ std::vector<Cell> ParameterRow(const ReportedParameter& parameter, bool has_sd) 
 
 std::vector<std::string> ParameterHead(bool has_sd, const std::string& confidence) {
   if (!has_sd) return {"parameter", "start", "fitted", "unit", "lower", "between the bounds", "upper", ""};
-  return {"parameter", "start", "fitted", "sd", "interval of " + confidence, "unit", "sd, %", "lower", "between the bounds", "upper", "assessment"};
+  return {"parameter",          "start", "fitted",    "sd", "interval of " + confidence, "unit", "sd, %", "lower",
+          "between the bounds", "upper", "assessment"};
 }
 
 void AddRows(const std::string& group, const Json& object, Rows& rows) {
@@ -279,7 +281,8 @@ std::string EnergyHtml(const Json& mode) {
   constexpr std::size_t kFirst = 3;
   std::vector<std::pair<double, std::string>> shares;
   for (const Json& share : ListAt(mode, "energy"))
-    if (const double part = NumberAt(share, "share"); part >= kLeast) shares.emplace_back(part, TextAt(share, "motion"));
+    if (const double part = NumberAt(share, "share"); part >= kLeast)
+      shares.emplace_back(part, TextAt(share, "motion"));
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string first;
   std::string rest;
@@ -289,8 +292,8 @@ std::string EnergyHtml(const Json& mode) {
             html::Escaped(shares[i].second + ' ' + ShownDecimals(100 * shares[i].first, 0) + "\u00a0%");
   }
   if (rest.empty()) return first;
-  return first + " <details class=\"more\"><summary>" + std::to_string(shares.size() - kFirst) +
-         " more</summary>" + rest + "</details>";
+  return first + " <details class=\"more\"><summary>" + std::to_string(shares.size() - kFirst) + " more</summary>" +
+         rest + "</details>";
 }
 
 /// "80 to 90 %", which may break nowhere.
@@ -357,7 +360,8 @@ std::string ContradictionsHtml(const std::vector<ReportedParameter>& parameters,
   }
   if (first.empty()) return "";
   return "<p>Recordings contradict each other beyond noise:</p>\n" + html::Element("ul", "", first) +
-         (rest.empty() ? "" : "<details><summary>all of them</summary>" + html::Element("ul", "", rest) + "</details>") +
+         (rest.empty() ? ""
+                       : "<details><summary>all of them</summary>" + html::Element("ul", "", rest) + "</details>") +
          '\n';
 }
 
@@ -375,8 +379,9 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
   Rows rows;
   for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter, has_sd));
   if (rows.empty()) return "";
-  const std::string bar = "Bar: the interval between the bounds, with an arrow where a bound cuts it off (\u2190, "
-                          "\u2192 beside the number); dot: fitted value; tick: start. ";
+  const std::string bar =
+      "Bar: the interval between the bounds, with an arrow where a bound cuts it off (\u2190, "
+      "\u2192 beside the number); dot: fitted value; tick: start. ";
   return html::Table(ParameterHead(has_sd, confidence), rows) +
          html::Element(
              "p", "note",
@@ -462,11 +467,11 @@ std::string ModeSectionHtml(const Json& modes) {
       ModeTableHtml(modes) + "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n";
   // Many modes need the width.
   constexpr std::size_t kBeside = 8;
-  return html::Section("modes", "Modes and poles",
-                       modes.is_array() && modes.size() > kBeside
-                           ? table + html::Drawn("poles")
-                           : "<div class=\"pair\"><div>" + table + "</div><div>" + html::Drawn("poles") +
-                                 "</div></div>\n");
+  return html::Section(
+      "modes", "Modes and poles",
+      modes.is_array() && modes.size() > kBeside
+          ? table + html::Drawn("poles")
+          : "<div class=\"pair\"><div>" + table + "</div><div>" + html::Drawn("poles") + "</div></div>\n");
 }
 
 std::string SearchNoteHtml(const Json& result) {

@@ -75,8 +75,7 @@ std::string NoteOf(const SimulationAnswer& answer) {
 std::string SimulationPage(const Vehicle& vehicle, const SimulationAnswer& answer) {
   VehicleAnswer page{.facts = {"simulated", ShownUnit(answer.origin.motion)}, .file = "", .findings = answer.findings};
   page.before.push_back(
-      {"summary", "Summary",
-       SizesHtml(answer.channels) + SentencesHtml(EngineText(answer.origin.by))});
+      {"summary", "Summary", SizesHtml(answer.channels) + SentencesHtml(EngineText(answer.origin.by))});
   if (answer.motion.coordinates.rows() > 1) {
     page.over_time = {{answer.origin.motion, answer.motion}};
     page.scene = {{"first", "history"}};

@@ -29,8 +29,8 @@ class VehicleObjective {
   /// d residuals / d values, N x n. To be called only where all blocks differentiate.
   Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values) const;
 
-  /// Of the blocks' coarse residuals, for a refinement's way to the minimum; nothing where no block has any, or one that
-  /// takes its time has none.
+  /// Of the blocks' coarse residuals, for a refinement's way to the minimum; nothing where no block has any, or one
+  /// that takes its time has none.
   std::optional<VehicleObjective> Coarse() const;
 
   /// The residuals of the priors alone, with which those of Evaluate() end.

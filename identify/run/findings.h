@@ -53,7 +53,8 @@ inline const Finding kParametersAtBounds{
     "widen bounds that are guesses, or add the missing mechanism"};
 inline const Finding kMostChannelsPoor{
     "most-channels-poor", Severity::kWarning,
-    "{} of {} fitted channels have an NMSE above {} %, and residuals are {} times what noise and the stated model error "
+    "{} of {} fitted channels have an NMSE above {} %, and residuals are {} times what noise and the stated model "
+    "error "
     "explain",
     "check sign, scale, delay and position, then extend the model (`fourpost suggest`)"};
 

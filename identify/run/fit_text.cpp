@@ -33,8 +33,7 @@ std::string Remark(const FittedParameter& parameter) {
   const auto add = [&](const std::string& text) { remark += (remark.empty() ? "" : ", ") + text; };
   if (parameter.state == ParameterState::kUndetermined && std::isfinite(parameter.sd)) add("not determined");
   if (!parameter.CutAt().empty()) add("interval cut at " + std::string(parameter.CutAt()));
-  if (parameter.state == ParameterState::kNoise)
-    add("derivative is noise");
+  if (parameter.state == ParameterState::kNoise) add("derivative is noise");
   if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
     add(Rounded(distance, 2) + " sd from prior");
   // Above it most of the doubt is that of held parameters and calibrations.

@@ -32,8 +32,8 @@ inline double RelativeSd(double sd, double value, double lower, double upper) {
 /// Above it a value is not determined.
 inline constexpr double kUndeterminedShare = 1;
 
-/// Whether an interval says next to nothing beyond the bounds. A value of which nothing is known but that it lies between
-/// them, all alike, has 95 % of its probability within 95 % of the range.
+/// Whether an interval says next to nothing beyond the bounds. A value of which nothing is known but that it lies
+/// between them, all alike, has 95 % of its probability within 95 % of the range.
 inline bool FillsBounds(double from, double to, double lower, double upper) {
   constexpr double kNearlyAll = 0.9;
   return upper > lower && std::min(to, upper) - std::max(from, lower) >= kNearlyAll * (upper - lower);

@@ -19,8 +19,8 @@ namespace fourpost {
 ///   error and of its floor;
 /// - mean strut offsets over the root of their variance plus the square of the model error of means: they alone
 ///   distinguish bump from rebound.
-/// `runs` hold only the frequencies to fit. `integrates`: see ModelledResponse(). `answers`: of the same vehicle, at one
-/// set of values; null: nothing is remembered.
+/// `runs` hold only the frequencies to fit. `integrates`: see ModelledResponse(). `answers`: of the same vehicle, at
+/// one set of values; null: nothing is remembered.
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations = {},
                                 bool integrates = true, std::shared_ptr<KnownAnswers> answers = nullptr);

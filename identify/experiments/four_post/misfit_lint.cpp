@@ -88,12 +88,10 @@ void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_b
   const bool is_model = is_cleared(channels);
   const Place section{plan.file, plan.channels_line};
   if (is_one)
-    ChannelWarnings(plan.file, plan.channels, diagnostics).Report(is_model ? kModelFarOffSines : kSinesFarOff,
-                                                                     findings.front().channel, {worst});
-  else if (findings.size() <= kShown)
-    diagnostics.Report(is_model ? kModelFarOffSines : kSinesFarOff, section, {worst});
-  else
-    diagnostics.Report(is_model ? kModelFarOffManySines : kManySinesFarOff, section, {Groups(findings), worst});
+    ChannelWarnings(plan.file, plan.channels, diagnostics)
+        .Report(is_model ? kModelFarOffSines : kSinesFarOff, findings.front().channel, {worst});
+  else if (findings.size() <= kShown) diagnostics.Report(is_model ? kModelFarOffSines : kSinesFarOff, section, {worst});
+  else diagnostics.Report(is_model ? kModelFarOffManySines : kManySinesFarOff, section, {Groups(findings), worst});
 }
 
 }  // namespace fourpost

@@ -26,7 +26,8 @@ std::string RivalsOf(const nlohmann::json& explanation) {
 /// As a multiple of it.
 constexpr double kBeyondNoise = 1.5;
 
-/// What a fit with it would gain by, where the force alone names nothing; empty of runs that did not look or found none.
+/// What a fit with it would gain by, where the force alone names nothing; empty of runs that did not look or found
+/// none.
 std::string InsteadByFit(const nlohmann::json& result) {
   const std::vector<nlohmann::json> found = ListAt(result.value("missing", nlohmann::json()), "suggestions");
   if (found.empty()) return "";
@@ -39,16 +40,20 @@ std::string ExplanationTable(const nlohmann::json& missing, const nlohmann::json
   std::vector<std::vector<html::Cell>> rows;
   for (const nlohmann::json& one : ListAt(missing, "explanations")) {
     const double share = std::abs(NumberAt(one, "sd") / NumberAt(one, "amount"));
-    rows.push_back({{html::Escaped(TextAt(one, "text")), "wrap"}, html::NumberCell(TextAt(one, "amount_text")),
-                    html::NumberCell(ShownNumber(100 * share, 2)), html::NumberCell(BandOf(one)),
+    rows.push_back({{html::Escaped(TextAt(one, "text")), "wrap"},
+                    html::NumberCell(TextAt(one, "amount_text")),
+                    html::NumberCell(ShownNumber(100 * share, 2)),
+                    html::NumberCell(BandOf(one)),
                     html::NumberCell(ShownNumber(NumberAt(one, "largest"), 2)),
                     html::NumberCell(ShownNumber(NumberAt(one, "explains_percent"), 2)),
                     {html::Escaped(RivalsOf(one)), "wrap"}});
   }
   if (rows.empty())
     return NumberAt(missing, "misfit") > kBeyondNoise
-               ? std::string("<p>No mechanism is named: none of those tried explains a tenth of the force. What fitted parameters "
-                 "took up of it no longer shows here.") +
+               ? std::string(
+                     "<p>No mechanism is named: none of those tried explains a tenth of the force. What fitted "
+                     "parameters "
+                     "took up of it no longer shows here.") +
                      InsteadByFit(result) + "</p>\n"
                : "<p>No mechanism is named: the force is within its noise.</p>\n";
   return html::Table(

@@ -19,7 +19,8 @@ namespace {
 
 using Eigen::Index;
 
-/// What a sensor takes of a motion across its axis, of the loudest of its unit: data sheets of accelerometers state less.
+/// What a sensor takes of a motion across its axis, of the loudest of its unit: data sheets of accelerometers state
+/// less.
 constexpr double kCrossAxis = 0.02;
 
 Index Strided(Index count, Index stride) { return (count + stride - 1) / stride; }

@@ -38,8 +38,8 @@ void AddDeviations(const HistoryResiduals& residuals, const std::vector<Eigen::M
     for (std::size_t s = 0; s < residuals.histories()[h].signals.size(); ++s, ++misfit) {
       const MeasuredSignal& signal = residuals.histories()[h].signals[s];
       const auto error = modelled[h].col(static_cast<Eigen::Index>(s)) - signal.values;
-      const double off = std::sqrt(error.squaredNorm() / static_cast<double>(error.size())) /
-                         residuals.DeviationOf(signal);
+      const double off =
+          std::sqrt(error.squaredNorm() / static_cast<double>(error.size())) / residuals.DeviationOf(signal);
       if (std::isfinite(off)) misfit->misfit = off;
     }
 }
@@ -218,8 +218,8 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
     const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
     const std::vector<HistoryMisfit> misfits =
-        Show(*this, subject.vehicle(), residuals, fit.values, modelled, modelled,
-             plan.cost == HistoryCost::kPrediction, "history", results.text, results);
+        Show(*this, subject.vehicle(), residuals, fit.values, modelled, modelled, plan.cost == HistoryCost::kPrediction,
+             "history", results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
     results.json["history_discrepancy"] = DiscrepancyJson(HistoryDiscrepancies(fitted, modelled));

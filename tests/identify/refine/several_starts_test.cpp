@@ -182,7 +182,57 @@ TEST_F(LedByCoarseResiduals, FailWithoutHarm) {
   Archive failing({Lattice({{"a", 0.1, 10, 0.1}, {"k", 0.1, 10, 0.1}}),
                    [](const Eigen::VectorXd&) { return Failed(Failure::kNotConverged, ""); }});
   Archive alone = Of(1);
-  EXPECT_EQ(RefineFrom(archive_, starts_, {}, {}, &failing).runs[0].values, RefineFrom(alone, starts_).runs[0].values);
+  const RefineResult led = RefineFrom(archive_, starts_, {}, {}, &failing).runs[0];
+  EXPECT_EQ(led.values, RefineFrom(alone, starts_).runs[0].values);
+  EXPECT_EQ(led.coarse_evaluations, 1);
+}
+
+TEST_F(LedByCoarseResiduals, PayForEachPointOnce) {
+  const MultiStartResult led = RefineFrom(archive_, starts_, {}, {}, &coarse_);
+  std::int64_t paid = 0;
+  std::int64_t coarse = 0;
+  for (const RefineResult& run : led.runs) {
+    paid += run.evaluations;
+    coarse += run.coarse_evaluations;
+  }
+  EXPECT_EQ(paid, archive_.counts().paid);
+  EXPECT_EQ(coarse, coarse_.counts().paid);
+}
+
+TEST_F(LedByCoarseResiduals, StopAtOnce) {
+  int asked = 0;
+  const MultiStartResult led = RefineFrom(
+      archive_, starts_, {}, [&] { return ++asked > 2; }, &coarse_);
+  ASSERT_EQ(led.runs.size(), 1u);
+  EXPECT_EQ(led.runs[0].end, RefineEnd::kStopped);
+  EXPECT_EQ(led.runs[0].values, starts_[0]);
+  EXPECT_EQ(led.runs[0].evaluations, 1);  // of the start
+}
+
+TEST_F(LedByCoarseResiduals, SharesTheLimitOfIterations) {
+  RefineOptions options;
+  options.max_iterations = 4;
+  for (const RefineResult& run : RefineFrom(archive_, starts_, options, {}, &coarse_).runs)
+    EXPECT_LE(run.iterations, 5);  // one is always left
+}
+
+// Minima of all residuals at 2 and, higher, near -2; the coarse ones lead to -2 from everywhere.
+TEST(CoarseResiduals, ThatLeadToAPoorOptimumLoseNoBetterOne) {
+  const Lattice lattice({{"x", -5, 5, 0.1}});
+  Archive archive({lattice, [](const Eigen::VectorXd& p) {
+                     Evaluation evaluation;
+                     evaluation.residuals = Eigen::Vector2d(p[0] * p[0] - 4, 0.5 * (p[0] - 2));
+                     return evaluation;
+                   }});
+  Archive coarse({lattice, [](const Eigen::VectorXd& p) {
+                    Evaluation evaluation;
+                    evaluation.residuals = Eigen::VectorXd::Constant(1, p[0] + 2);
+                    return evaluation;
+                  }});
+  const std::vector<Eigen::VectorXd> starts = {Eigen::VectorXd::Constant(1, -3), Eigen::VectorXd::Constant(1, 2.1)};
+  const MultiStartResult led = RefineFrom(archive, starts, {}, {}, &coarse);
+  ASSERT_EQ(led.best, 1);
+  EXPECT_NEAR(led.runs[1].values[0], 2, 1e-6);  // step_tolerance times the range
 }
 
 }  // namespace

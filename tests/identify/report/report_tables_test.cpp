@@ -58,8 +58,8 @@ TEST(ParameterTable, WritesTheEndsOfTheIntervalAndWhereABoundCutsThem) {
 TEST(ParameterTable, SaysInWordsWhatLimitsAndWhatToDo) {
   ReportedParameter wide = Known();
   wide.limited_by = "model: 2.4 .. 4.8 Hz";
-  EXPECT_THAT(ParameterTableHtml({wide}, ""),
-              AllOf(HasSubstr("limited by the model (2.4 to 4.8 Hz)"), HasSubstr("add to the model what they ask for")));
+  EXPECT_THAT(ParameterTableHtml({wide}, ""), AllOf(HasSubstr("limited by the model (2.4 to 4.8 Hz)"),
+                                                    HasSubstr("add to the model what they ask for")));
   wide.limited_by = "noise";
   EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("title=\"Measure longer or more often.\""));
 }
@@ -100,7 +100,8 @@ TEST(ParameterTable, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
   ReportedParameter wide = Known();
   wide.limited_by = "held: kt";
   wide.held_factor = 4;
-  EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("limited by the held kt (4.0 times smaller if that were known)"));
+  EXPECT_THAT(ParameterTableHtml({wide}, ""),
+              HasSubstr("limited by the held kt (4.0 times smaller if that were known)"));
   wide.held_factor = 1.2;
   EXPECT_THAT(ParameterTableHtml({wide}, ""), Not(HasSubstr("if that were known")));
 }
