@@ -266,10 +266,7 @@ class Fitter {
   FitResult FitInto(const EvaluationContext& context, const VehicleObjective& objective,
                     const FitOptions& options) const {
     EvaluationStore store(Archive(), context);
-    EvaluationContext of_coarse = context;
-    of_coarse.settings += ", coarse";
-    EvaluationStore coarse_store(Archive(), of_coarse);
-    FitResult fit = Fit(objective, options, hooks_.fit ? hooks_.fit(options) : FitHooks(), &store, &coarse_store);
+    FitResult fit = Fit(objective, options, hooks_.fit ? hooks_.fit(options) : FitHooks(), &store);
     const EvaluationCounts& counts = fit.evaluations;
     if (counts.restored > 0)
       hooks_.work.Note(std::to_string(counts.restored) + " of " + std::to_string(counts.paid) +
