@@ -121,7 +121,10 @@ class Fit(FitTest):
         self.assertEqual(result["recordings"][1]["name"], "pitch")
         self.assertGreater(result["recordings"][1]["nmse_percent"], 0)
         self.assertGreater(result["cost"], 0)
-        self.assertGreater(result["evaluations"]["paid"], 300)
+        # The search's hundred, and refinements; most of these by a quarter of the frequencies.
+        self.assertGreater(result["evaluations"]["paid"], 100)
+        self.assertGreater(result["evaluations"]["coarse"], 100)
+        self.assertEqual(result["evaluations"]["coarse"], sum(run["coarse_evaluations"] for run in result["starts"]["runs"]))
         self.assertEqual(result["evaluations"]["failed"], 0)
         # The objective is smooth enough for every refinement to find the one optimum.
         self.assertEqual(result["starts"]["agreeing"], result["starts"]["refined"])
