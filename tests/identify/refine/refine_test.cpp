@@ -247,8 +247,14 @@ TEST(KnownOptima, AreMetNearThemAndAtTheirHeight) {
   EXPECT_FALSE(met(11.51, 12.9, 8.9));  // more than three deviations of 0.5
   EXPECT_FALSE(met(11, 8, 4.2));        // it goes lower
   EXPECT_FALSE(met(11, 8, 3.8));        // or another way
-  EXPECT_TRUE(met(10, 3.95, 0));        // it is better by less than counts
-  EXPECT_FALSE(met(10, 3.8, 0));        // it is better
+  EXPECT_FALSE(met(10, 3.95, 0));       // it is better
+  const auto is_one = [&](double x, double cost) {
+    return known.OneWith(Eigen::VectorXd::Constant(1, x), cost, 4, 0.1).has_value();
+  };
+  EXPECT_TRUE(is_one(11.49, 4.09));
+  EXPECT_TRUE(is_one(10, 3.91));
+  EXPECT_FALSE(is_one(11.51, 4));
+  EXPECT_FALSE(is_one(10, 3.89));
 }
 
 TEST(Refine, FindsTheSameOptimumFromAnywhere) {
