@@ -142,7 +142,7 @@ Problem ProblemOf(const VehicleObjective& objective, const FitOptions& options) 
 class RunningFit {
  public:
   RunningFit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
-             EvaluationStore* store, EvaluationStore* coarse_store)
+             EvaluationStore* store)
       : objective_(objective),
         options_(options),
         hooks_(hooks),
@@ -151,7 +151,7 @@ class RunningFit {
     archive_.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
     archive_.TellProgress([this](std::int64_t of_batch) { Report(of_batch); });
     if (coarse_objective_) {
-      coarse_.emplace(ProblemOf(*coarse_objective_, options), options.threads, coarse_store);
+      coarse_.emplace(ProblemOf(*coarse_objective_, options), options.threads);
       coarse_->TellProgress([this](std::int64_t) { Report(); });
     }
     result_.values = objective.vehicle().ParameterValues();
@@ -423,8 +423,8 @@ class RunningFit {
 }  // namespace
 
 FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
-              EvaluationStore* store, EvaluationStore* coarse_store) {
-  return RunningFit(objective, options, hooks, store, coarse_store).Run();
+              EvaluationStore* store) {
+  return RunningFit(objective, options, hooks, store).Run();
 }
 
 }  // namespace fourpost

@@ -38,9 +38,9 @@ struct FitHooks {
 };
 
 /// A search over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points. `store`:
-/// where evaluations of this objective are kept, `coarse_store` where those of its coarse one; what they hold shortens
-/// the fit and does not change it. Throws OutputError when they cannot be written.
+/// where evaluations of this objective are kept, but not those of its coarse one, which a fit that goes on makes again;
+/// what it holds shortens the fit and does not change it. Throws OutputError when it cannot be written.
 FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks = {},
-              EvaluationStore* store = nullptr, EvaluationStore* coarse_store = nullptr);
+              EvaluationStore* store = nullptr);
 
 }  // namespace fourpost
