@@ -52,8 +52,7 @@ inline const Finding kCsvWithoutNames{
     "csv-without-names", Severity::kWarning, "numbers from the first line on, so columns are called column1 to {}",
     "write a line above them, as time [s],post_FL [mm],a_body [g], or of frequency responses "
     "frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg; or state {channel: column2, unit: mm} in a study, "
-    "--post "
-    "column2=FL --unit column2=mm for `fourpost frf`"};
+    "--post column2=FL --unit column2=mm for `fourpost frf`"};
 inline const Finding kCsvNoRows{"csv-no-rows", Severity::kError, "no rows below the header",
                                 "add one row of numbers for each sample or frequency"};
 inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row has {}, the header {}",

@@ -12,6 +12,7 @@
 #include "identify/report/audit_section.h"
 #include "identify/report/live_json.h"
 #include "identify/report/page_footer.h"
+#include "identify/report/parameter_table.h"
 #include "identify/report/report_summary.h"
 #include "identify/report/report_tables.h"
 #include "identify/report/run_result.h"

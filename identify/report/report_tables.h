@@ -11,15 +11,6 @@ namespace fourpost {
 
 // Tables of a report as HTML; empty where there is nothing to show.
 
-/// Start, value, deviation, and the interval, in numbers and as a bar inside the bounds. `why_none`: where no parameter
-/// has a deviation, the reason, text; the columns of deviations are left out then. `confidence`: of the intervals, as
-/// the run states it; empty of runs of older versions.
-std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none,
-                               const std::string& confidence = "");
-
-/// Why intervals are as wide as they are, and what would make them narrower; empty of runs that do not say.
-std::string IntervalBasisHtml(const std::vector<ReportedParameter>& parameters, const nlohmann::json& result);
-
 /// Intervals of 95 % by profile likelihood.
 std::string ProfileTableHtml(const nlohmann::json& result, const RunContents& run);
 

@@ -39,8 +39,6 @@ COMMANDS = [
     ("fit, Land Rover Model 3", "fit {s}/landrover110/model3.yaml -o {o}/model3"),
     ("fit, full Land Rover", "fit {s}/landrover110/full.yaml -o {o}/full"),
     ("fit, full Land Rover, --no-suggest", "fit {s}/landrover110/full.yaml --no-suggest -o {o}/full_alone"),
-    ("suggest, Land Rover Model 2", "suggest {o}/model2"),
-    ("suggest, full Land Rover", "suggest {o}/full"),
     ("predict, Land Rover Model 2, a sweep", "predict {o}/model2 "
      "--recording {s}/landrover110/bounce_sweep.csv -o {o}/predicted"),
     ("draws, Land Rover Model 2, 200", "draws {o}/model2 -n 200"),
@@ -55,7 +53,7 @@ def seconds(program, line, folder):
     """Of the processor; and whether the command did its work."""
     words = line.format(o=folder, s=SOURCE / "studies", u=SOURCE / "urdf").split()
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    threads = ["--threads", "1"] if words[0] in ("fit", "suggest", "choose", "plan") else []
+    threads = ["--threads", "1"] if words[0] in ("fit", "choose", "plan") else []
     done = subprocess.run([program, *words, *threads], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     # A poor fit ends with 1, and is one all the same.

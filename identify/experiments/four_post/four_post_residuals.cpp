@@ -318,7 +318,7 @@ Eigen::MatrixXd ByCalibrations(const CondensedVehicle& vehicle, const std::vecto
 /// Every fourth frequency from the lowest on; all where these are few.
 MeasuredRun Coarse(const MeasuredRun& run) {
   constexpr std::size_t kStep = 4;
-  // Of the shipped 64 over six octaves 16 are left, whose minima lie within the basin of all: see several_starts_test.
+  // The full Land Rover keeps 16 of 64 over six octaves, and from all three of its starts they lead to its best optimum.
   constexpr std::size_t kLeast = 12;
   const std::vector<double>& frequencies = run.excitation.frequency_Hz;
   if (frequencies.size() < kStep * kLeast) return run;

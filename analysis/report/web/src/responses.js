@@ -130,7 +130,7 @@ export function drawResponses(place, data) {
     setTimeout(() => found.box.classList.remove('found'), 1600);
   });
   const compared = el('div');
-  const told = el('p', { class: 'note', role: 'status' });
+  const message = el('p', { class: 'note', role: 'status' });
   const redrawAll = () => {
     key.replaceChildren(marks(state.whatIf));
     redraw();
@@ -139,7 +139,7 @@ export function drawResponses(place, data) {
     const { box, words } = comparisonOf(all, one, () => {
       state.others = state.others.filter((other) => other !== one);
       box.remove();
-      told.textContent = `${one.name} is removed.`;
+      message.textContent = `${one.name} is removed.`;
       redrawAll();
     });
     state.others.push(one);
@@ -164,9 +164,9 @@ export function drawResponses(place, data) {
         words.push(`${file.name} is not compared: ${error.message}.`);
       }
     }
-    told.textContent = words.join(' ');
+    message.textContent = words.join(' ');
     redrawAll();
-    told.scrollIntoView({ block: 'center' });
+    message.scrollIntoView({ block: 'center' });
   };
   if (isMeasured) controls.append(takeFiles(take));
   // On paper every recording.
@@ -202,7 +202,7 @@ export function drawResponses(place, data) {
   controls.append(back);
   place.append(
     controls,
-    told,
+    message,
     compared,
     key,
     el('p', { class: 'note' }, `Gain in dB, phase in degrees${isMeasured ? ' and, where it was measured, mean offset in mm,' : ''} over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} ${isMeasured ? 'The cursor shows model/measured. ' : ''}Drag to zoom all charts, double-click to reset.${hasStrips ? ' Below them residuals in standard deviations, of noise and stated model error: within \u00b12 are 95 % of them where the model explains the data.' : ''}`),
