@@ -23,7 +23,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace fourpost::api {
+namespace fourpost::api::api_test {
 namespace {
 
 using testing::Contains;
@@ -371,4 +371,4 @@ TEST(Api, FitsThatWereStoppedAreReadBack) {
 }
 
 }  // namespace
-}  // namespace fourpost::api
+}  // namespace fourpost::api::api_test

@@ -12,7 +12,7 @@
 #include <fourpost/modes.h>
 #include <fourpost/read.h>
 
-namespace fourpost::api {
+namespace fourpost::api::inspection_test {
 namespace {
 
 using testing::Contains;
@@ -99,4 +99,4 @@ TEST(Inspection, PolesFollowAParameter) {
 }
 
 }  // namespace
-}  // namespace fourpost::api
+}  // namespace fourpost::api::inspection_test

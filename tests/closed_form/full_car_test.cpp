@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::full_car_test {
 namespace {
 
 using Vector7d = Eigen::Vector<double, 7>;
@@ -95,4 +95,4 @@ TEST(FullCar, ALiftedPostPushesItsCornerUp) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::full_car_test

@@ -18,7 +18,7 @@
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/march.h"
 
-namespace fourpost {
+namespace fourpost::quarter_car_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -308,4 +308,4 @@ TEST(QuarterCar, FreeDecayWithASeriesDamperFollowsTheEquations) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::quarter_car_test

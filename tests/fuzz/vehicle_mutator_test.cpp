@@ -18,7 +18,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) { return size; }
 
-namespace fourpost {
+namespace fourpost::vehicle_mutator_test {
 namespace {
 
 std::string Mutated(const std::string& text, std::size_t most, unsigned seed) {
@@ -48,4 +48,4 @@ TEST(VehicleMutator, LeavesWhatIsNotXmlOrGrowsTooLargeToLibFuzzer) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_mutator_test

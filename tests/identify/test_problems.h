@@ -24,7 +24,7 @@ inline Evaluation OneResidual(double residual) {
 inline Problem GearTrain() { return GearTrainProblem(); }
 constexpr double kGearTarget = kGearTrainTarget;
 
-inline Problem Spring(double diameter_step) { return CoilSpringProblem(diameter_step); }
+inline Problem CoilSpring(double diameter_step) { return CoilSpringProblem(diameter_step); }
 
 // Transmitted motion and force of m z'' + d (z - u)' + k (z - u) = 0 at 20 frequencies, against those of 200 kg,
 // 15000 N/m, 1500 Ns/m, with a noise of 0.01 of the motion and 1 % of the force.

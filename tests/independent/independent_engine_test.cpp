@@ -15,7 +15,7 @@
 #include "tests/independent/dart_vehicle.h"
 #include "tests/vehicles/closed_form.h"
 
-namespace fourpost {
+namespace fourpost::independent_engine_test {
 namespace {
 
 constexpr int kStates = 50;
@@ -199,4 +199,4 @@ INSTANTIATE_TEST_SUITE_P(OpenLoop, IndependentEngine,
                          [](const auto& vehicle) { return std::filesystem::path(vehicle.param).stem().string(); });
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::independent_engine_test

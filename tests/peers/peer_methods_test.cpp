@@ -12,7 +12,7 @@
 #include "tests/identify/test_problems.h"
 #include "tests/peers/findings.h"
 
-namespace fourpost {
+namespace fourpost::peer_methods_test {
 namespace {
 
 using testing::Contains;
@@ -200,4 +200,4 @@ TEST(PeerMethod, LeavesOurNamesAlone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::peer_methods_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::peer_objective_test {
 namespace {
 
 using testing::ElementsAre;
@@ -56,4 +56,4 @@ TEST(PeerCost, RanksAsIsBetterDoes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::peer_objective_test

@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < std::atoi(argv[1]); ++i) {
     DamperDraw draw(seed, static_cast<std::uint64_t>(i));
     const Drawn drawn = DrawDamper(i, draw);
-    const Vehicle vehicle = QuarterCar(drawn.elements);
+    const Vehicle vehicle = QuarterCarWith(drawn.elements);
     const Engines engines(vehicle);
     std::printf("%s,", drawn.row.c_str());
     std::printf("%s,", Responses(engines).c_str());

@@ -18,20 +18,20 @@
 namespace fourpost {
 
 /// Coordinates, their rates and the heights of the posts, which stand still.
-struct Motion {
+struct MotionState {
   Eigen::VectorXd q;
   Eigen::VectorXd rate;
   Eigen::VectorXd ground;
 };
 
-inline Motion operator*(double scale, const Motion& motion) {
+inline MotionState operator*(double scale, const MotionState& motion) {
   return {scale * motion.q, scale * motion.rate, scale * motion.ground};
 }
 
 /// The equations of a vehicle as written out by hand, which know nothing of its file.
 struct ClosedForm {
   CondensedModel model;
-  std::function<Eigen::VectorXd(const Motion&)> acceleration;
+  std::function<Eigen::VectorXd(const MotionState&)> acceleration;
   /// The vehicle's joint coordinates = to_joints times those of the closed form.
   Eigen::MatrixXd to_joints;
 };
@@ -64,8 +64,8 @@ class Draw {
   }
 
   /// 10 to 20 mm or 0.01 to 0.02 rad either way, and up to 0.3 m/s or rad/s.
-  Motion SmallMotion(Eigen::Index coordinates, Eigen::Index posts) {
-    Motion motion{Eigen::VectorXd(coordinates), Eigen::VectorXd(coordinates), Eigen::VectorXd(posts)};
+  MotionState SmallMotion(Eigen::Index coordinates, Eigen::Index posts) {
+    MotionState motion{Eigen::VectorXd(coordinates), Eigen::VectorXd(coordinates), Eigen::VectorXd(posts)};
     for (double& value : motion.q) value = Either(Between(0.01, 0.02));
     for (double& value : motion.rate) value = Between(-0.3, 0.3);
     for (double& value : motion.ground) value = Either(Between(0.01, 0.02));
@@ -124,7 +124,7 @@ inline void ExpectSensorRows(const Vehicle& vehicle, const Eigen::MatrixXd& orde
 }
 
 /// Difference of Simbody's acceleration from the closed form's, over the latter.
-inline double AccelerationError(Multibody& multibody, const ClosedForm& closed, const Motion& motion) {
+inline double AccelerationError(Multibody& multibody, const ClosedForm& closed, const MotionState& motion) {
   multibody.SetPostMotion([&](double, std::span<PostState> posts) {
     for (std::size_t p = 0; p < posts.size(); ++p) posts[p] = {.height = motion.ground[static_cast<Eigen::Index>(p)]};
   });
@@ -138,14 +138,15 @@ inline double AccelerationError(Multibody& multibody, const ClosedForm& closed, 
 }
 
 /// The closed form is exact here.
-inline void ExpectSameAcceleration(Multibody& multibody, const ClosedForm& closed, const Motion& motion) {
+inline void ExpectSameAcceleration(Multibody& multibody, const ClosedForm& closed, const MotionState& motion) {
   // Rounding of forces of some 10 kN on the smallest mass or inertia, 25 kg or kg m^2, beside some 10 m/s^2.
   EXPECT_LT(AccelerationError(multibody, closed, motion), 1e-13);
 }
 
 /// The closed form is exact to first and second order: what it leaves out is cubic, hence a quarter of the error
 /// remains at half the motion, but for terms of higher order.
-inline void ExpectSameAccelerationForSmallMotion(Multibody& multibody, const ClosedForm& closed, const Motion& motion) {
+inline void ExpectSameAccelerationForSmallMotion(Multibody& multibody, const ClosedForm& closed,
+                                                 const MotionState& motion) {
   const double error = AccelerationError(multibody, closed, motion);
   const double at_half = AccelerationError(multibody, closed, 0.5 * motion);
   EXPECT_GT(error, 1e-8);  // else rounding is what is compared

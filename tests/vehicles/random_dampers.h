@@ -80,7 +80,7 @@ inline Drawn DrawDamper(int number, DamperDraw& draw, double stiffest = 1e8) {
   return {std::move(row), std::move(elements)};
 }
 
-inline Vehicle QuarterCar(const std::string& damper) {
+inline Vehicle QuarterCarWith(const std::string& damper) {
   const auto body = [](const std::string& name, const std::string& mass, const std::string& height) {
     return "<link name=\"" + name + "\"><inertial><mass value=\"" + mass +
            "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint "

@@ -7,7 +7,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::chart_axis_test {
 namespace {
 
 using testing::ElementsAre;
@@ -71,4 +71,4 @@ TEST(ChartAxis, PlacesValuesBetweenItsLimits) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::chart_axis_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <tinyxml2.h>
 
-namespace fourpost {
+namespace fourpost::heat_chart_test {
 namespace {
 
 using testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(HeatChart, RefusesWhatIsNoMap) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::heat_chart_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <tinyxml2.h>
 
-namespace fourpost {
+namespace fourpost::pole_chart_test {
 namespace {
 
 using testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(PoleChart, RefusesWhatItCannotDraw) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::pole_chart_test

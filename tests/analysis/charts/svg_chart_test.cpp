@@ -7,7 +7,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::svg_chart_test {
 namespace {
 
 using testing::AllOf;
@@ -164,4 +164,4 @@ TEST(SvgChart, TitlesPanelsAndLetsTheLastRowEndEarly) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::svg_chart_test

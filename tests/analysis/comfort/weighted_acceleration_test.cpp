@@ -10,7 +10,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::weighted_acceleration_test {
 namespace {
 
 using std::numbers::pi;
@@ -105,4 +105,4 @@ TEST(WeightedAcceleration, RefusesWhatIsNoSignal) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::weighted_acceleration_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::weighting_test {
 namespace {
 
 using std::numbers::pi;
@@ -110,4 +110,4 @@ TEST(Weighting, RefusesWhatIsNoSignal) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::weighting_test

@@ -6,7 +6,7 @@
 #include "analysis/files/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::csv_dialect_test {
 namespace {
 
 using testing::ElementsAre;
@@ -141,4 +141,4 @@ TEST(CsvDialectFault, Utf16) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::csv_dialect_test

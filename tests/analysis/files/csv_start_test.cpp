@@ -7,7 +7,7 @@
 #include "analysis/files/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::csv_start_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST(CsvInTheWild, JsonIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::csv_start_test

@@ -10,7 +10,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::csv_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -169,4 +169,4 @@ TEST(CsvFile, ThatIsAFolderIsReported) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::csv_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::csv_text_mark_test {
 namespace {
 
 TEST(CsvTextMark, StandsBeforeWhatSpreadsheetsCompute) {
@@ -19,4 +19,4 @@ TEST(CsvTextMark, IsReadAway) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::csv_text_mark_test

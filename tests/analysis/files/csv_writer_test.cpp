@@ -7,7 +7,7 @@
 #include "analysis/files/csv.h"
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::csv_writer_test {
 namespace {
 
 TEST(CsvWriter, EndsARowWhenItIsFull) {
@@ -70,4 +70,4 @@ TEST(CsvWriter, HasNoTextWithinARow) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::csv_writer_test

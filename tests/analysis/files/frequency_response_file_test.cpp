@@ -12,7 +12,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::frequency_response_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -358,4 +358,4 @@ TEST(FrequencyResponseFile, ATimeHistoryIsToldWhereItBelongs) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::frequency_response_file_test

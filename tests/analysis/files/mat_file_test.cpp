@@ -14,7 +14,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::mat_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -344,4 +344,4 @@ TEST_F(MatFile, ThatIsCutShortIsNoRecording) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mat_file_test

@@ -11,7 +11,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ TEST(OutputFolder, NeedsAResult) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::output_folder_test

@@ -8,7 +8,7 @@
 #include "analysis/files/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::recorded_table_test {
 namespace {
 
 RecordedTable TableOf(std::string_view text) {
@@ -68,4 +68,4 @@ TEST(RecordedTable, OfAMatFileHasRowsInPlaceOfLines) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::recorded_table_test

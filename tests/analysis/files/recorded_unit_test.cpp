@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::recorded_unit_test {
 namespace {
 
 TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
@@ -12,13 +12,19 @@ TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
     const char* text;
     double si;
     Dimension dimension;
-  } cases[] = {{"mm", 1e-3, kLength},         {"m/s^2", 1, kAcceleration},
-               {"m/s2", 1, kAcceleration},    {"m/s\xC2\xB2", 1, kAcceleration},
+  } cases[] = {{"mm", 1e-3, kLength},
+               {"m/s^2", 1, kAcceleration},
+               {"m/s2", 1, kAcceleration},
+               {"m/s\xC2\xB2", 1, kAcceleration},
                {"m/s\xB2", 1, kAcceleration},  // Latin-1
-               {"g", 9.80665, kAcceleration}, {" kN ", 1000, kForce},
-               {"\xC2\xB5m", 1e-6, kLength},  {"um", 1e-6, kLength},
-               {"mm/sec", 1e-3, kVelocity},   {"\xC2\xB0/s", std::numbers::pi / 180, kFrequency},
-               {"in", 0.0254, kLength},       {"lbf", 4.4482216152605, kForce},
+               {"g", 9.80665, kAcceleration},
+               {" kN ", 1000, kForce},
+               {"\xC2\xB5m", 1e-6, kLength},
+               {"um", 1e-6, kLength},
+               {"mm/sec", 1e-3, kVelocity},
+               {"\xC2\xB0/s", std::numbers::pi / 180, kFrequency},
+               {"in", 0.0254, kLength},
+               {"lbf", 4.4482216152605, kForce},
                {"ft/s2", 0.3048, kAcceleration},
                {"-", 1, kDimensionless}};
   for (const auto& [text, si, dimension] : cases) {
@@ -51,4 +57,4 @@ TEST(ColumnName, IsTakenApart) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::recorded_unit_test

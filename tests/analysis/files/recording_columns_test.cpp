@@ -15,7 +15,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::recording_columns_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -146,4 +146,4 @@ TEST(RecordedTableOfRecordings, SummaryIsOfTheSamplesAsRecorded) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::recording_columns_test

@@ -11,7 +11,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::response_functions_test {
 namespace {
 
 /// A frequency response at 0, 2 and 4 Hz of a quantity to that of a post, as data set 58.
@@ -89,4 +89,4 @@ TEST_F(ResponseFunctions, OfOtherUnitsAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::response_functions_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::sha256_test {
 namespace {
 
 std::string DigestOf(std::string_view bytes) {
@@ -69,4 +69,4 @@ TEST(Sha256, CanBeTakenOnce) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::sha256_test

@@ -8,7 +8,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::static_loads_test {
 namespace {
 
 const char kGood[] =
@@ -118,4 +118,4 @@ TEST(StaticLoadsFault, AllAreReportedAtOnce) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::static_loads_test

@@ -8,7 +8,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::text_file_test {
 namespace {
 
 Diagnostics Fault(const std::filesystem::path& file) {
@@ -62,4 +62,4 @@ TEST(TextFile, OfMoreThanAGibibyteIsRefused) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::text_file_test

@@ -12,7 +12,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::time_recording_test {
 namespace {
 
 using testing::AllOf;
@@ -168,4 +168,4 @@ TEST(TimeRecordingFault, AllAreToldAtOnce) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::time_recording_test

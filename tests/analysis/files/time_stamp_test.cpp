@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::time_stamp_test {
 namespace {
 
 double Between(std::string_view from, std::string_view to) {
@@ -36,4 +36,4 @@ TEST(TimeStamp, IsNoOtherText) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::time_stamp_test

@@ -8,7 +8,7 @@
 #include "analysis/frequency_response/stated_dwells.h"
 #include "tests/analysis/frequency_response/known_system.h"
 
-namespace fourpost {
+namespace fourpost::dwells_test {
 namespace {
 
 constexpr double kRate = 500;
@@ -264,4 +264,4 @@ TEST(ExcitationKind, OfOneLongSineIsStepped) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::dwells_test

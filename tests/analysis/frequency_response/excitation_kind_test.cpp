@@ -7,7 +7,7 @@
 
 #include "tests/analysis/frequency_response/known_system.h"
 
-namespace fourpost {
+namespace fourpost::excitation_kind_test {
 namespace {
 
 constexpr double kRate = 500;
@@ -132,4 +132,4 @@ TEST(ExcitationKind, OfSweepsIsRight) { EXPECT_EQ(Misnamed(Sweep, ExcitationKind
 TEST(ExcitationKind, OfRandomMotionsIsRight) { EXPECT_EQ(Misnamed(Random, ExcitationKind::kRandom, 30), ""); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::excitation_kind_test

@@ -6,7 +6,7 @@
 
 #include "tests/analysis/frequency_response/known_system.h"
 
-namespace fourpost {
+namespace fourpost::local_response_test {
 namespace {
 
 constexpr double kRate = 500;
@@ -75,4 +75,4 @@ TEST(LocalResponse, RefusesFrequenciesBeyondTheRate) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::local_response_test

@@ -4,7 +4,7 @@
 
 #include "tests/analysis/frequency_response/known_system.h"
 
-namespace fourpost {
+namespace fourpost::multisine_test {
 namespace {
 
 using std::numbers::pi;
@@ -85,4 +85,4 @@ TEST(Multisine, NeedsAPeriod) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::multisine_test

@@ -8,7 +8,7 @@
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::sine_fit_test {
 namespace {
 
 using std::numbers::pi;
@@ -140,4 +140,4 @@ TEST(VarianceOfMean, OfFewRealNumbersCovers) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::sine_fit_test

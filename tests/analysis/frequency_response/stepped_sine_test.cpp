@@ -5,7 +5,7 @@
 #include "analysis/frequency_response/rest_level.h"
 #include "tests/analysis/frequency_response/known_system.h"
 
-namespace fourpost {
+namespace fourpost::stepped_sine_test {
 namespace {
 
 constexpr double kRate = 500;
@@ -257,4 +257,4 @@ TEST(PostShares, AreNamedByCorners) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::stepped_sine_test

@@ -12,7 +12,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::measured_response_test {
 namespace {
 
 using testing::ElementsAre;
@@ -319,4 +319,4 @@ TEST(MeasuredResponse, RefusesWhatHasNoPostsOrChannels) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::measured_response_test

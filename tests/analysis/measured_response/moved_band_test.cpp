@@ -4,7 +4,7 @@
 
 #include "tests/analysis/frequency_response/known_system.h"
 
-namespace fourpost {
+namespace fourpost::moved_band_test {
 namespace {
 
 constexpr double kRate = 500;
@@ -76,4 +76,4 @@ TEST(MovedBand, OfARandomMotionEndsAboveItsNoise) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::moved_band_test

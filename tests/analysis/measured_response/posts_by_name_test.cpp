@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::posts_by_name_test {
 namespace {
 
 using testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(NearlyPost, IsNoOther) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::posts_by_name_test

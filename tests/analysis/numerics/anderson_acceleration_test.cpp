@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::anderson_acceleration_test {
 namespace {
 
 /// Distance from the fixed point of x <- a x + b after some steps from zero.
@@ -48,4 +48,4 @@ TEST(AndersonAcceleration, RestsInTheFixedPoint) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::anderson_acceleration_test

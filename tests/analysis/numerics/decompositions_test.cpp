@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::decompositions_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -101,4 +101,4 @@ TEST(Decompositions, ExponentialOfAGeneratorIsARotation) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::decompositions_test

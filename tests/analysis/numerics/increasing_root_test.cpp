@@ -4,7 +4,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::increasing_root_test {
 namespace {
 
 std::pair<double, double> ArcTangent(double x) { return {std::atan(x), 1 / (1 + x * x)}; }
@@ -49,4 +49,4 @@ TEST(IncreasingRoot, StopsAtAStepThatPassesTheTarget) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::increasing_root_test

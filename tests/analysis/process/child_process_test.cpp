@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::child_process_test {
 namespace {
 
 TEST(AnswerOfChild, IsWhatTheWorkAnswers) {
@@ -27,4 +27,4 @@ TEST(AnswerOfChild, IsNothingOfWorkThatCrashes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::child_process_test

@@ -13,7 +13,7 @@
 
 #include "analysis/process/thread_time.h"
 
-namespace fourpost {
+namespace fourpost::deadline_test {
 namespace {
 
 TEST(Deadline, PassesInItsTime) {
@@ -89,4 +89,4 @@ TEST(SharedDeadline, HasLeftWhatPartsThatEndedDidNotTake) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::deadline_test

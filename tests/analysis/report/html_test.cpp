@@ -5,7 +5,7 @@
 #include "analysis/files/sha256.h"
 #include "analysis/report/report_document.h"
 
-namespace fourpost {
+namespace fourpost::html_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -78,4 +78,4 @@ TEST(ReportDocument, AllowsWebAssemblyOnlyWhereItHasSome) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::html_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::packed_values_test {
 namespace {
 
 TEST(PackedValues, OfEvenTimesAreTwoNumbers) {
@@ -41,4 +41,4 @@ TEST(PackedValues, OfNothingAndOfOneNumberAreThere) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::packed_values_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::shown_number_test {
 namespace {
 
 TEST(ShownNumber, HasSignificantDigits) {
@@ -49,4 +49,4 @@ TEST(ShownNumber, UnitsHaveDotsAndRaisedPowers) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::shown_number_test

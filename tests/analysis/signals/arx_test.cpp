@@ -6,7 +6,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::arx_test {
 namespace {
 
 using Eigen::Index;
@@ -92,4 +92,4 @@ TEST(Arx, LinearShareIsOneLessTheShareOfNoise) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::arx_test

@@ -6,7 +6,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::autocorrelation_test {
 namespace {
 
 constexpr Eigen::Index kSamples = 20000;
@@ -44,4 +44,4 @@ TEST(Autocorrelation, TellsWhiteNoiseFromCorrelatedNoise) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::autocorrelation_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::decibel_test {
 namespace {
 
 TEST(Decibel, TwentyAreAFactorOfTen) {
@@ -18,4 +18,4 @@ TEST(Decibel, DegreesAndRadiansAreInverse) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::decibel_test

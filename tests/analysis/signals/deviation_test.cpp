@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::deviation_test {
 namespace {
 
 TEST(Deviation, OfWholeNumbers) {
@@ -26,4 +26,4 @@ TEST(Deviation, OfOneAndOfNone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::deviation_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::drift_test {
 namespace {
 
 constexpr double kRate = 200;
@@ -73,4 +73,4 @@ TEST(Drift, IntegralOfASineIsItsCosine) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::drift_test

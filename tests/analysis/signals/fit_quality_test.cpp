@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::fit_quality_test {
 namespace {
 
 const std::vector<double> kMeasured = {1, 2, 3, 4};
@@ -52,4 +52,4 @@ TEST(FitQuality, RefusesSignalsOfOtherLengths) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::fit_quality_test

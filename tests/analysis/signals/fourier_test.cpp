@@ -11,7 +11,7 @@
 #include "analysis/signals/decibel.h"
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::fourier_test {
 namespace {
 
 using std::numbers::pi;
@@ -124,4 +124,4 @@ TEST(HarmonicsByLeastSquares, NeedACycle) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::fourier_test

@@ -5,7 +5,7 @@
 #include "analysis/signals/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::frequency_grid_test {
 namespace {
 
 using testing::DoubleNear;
@@ -53,4 +53,4 @@ TEST(FrequencyGrid, TellsEveryFault) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::frequency_grid_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::low_pass_test {
 namespace {
 
 using std::numbers::pi;
@@ -115,4 +115,4 @@ TEST(LowPass, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::low_pass_test

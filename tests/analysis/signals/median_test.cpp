@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::median_test {
 namespace {
 
 TEST(Median, IsTheMiddleOne) {
@@ -36,4 +36,4 @@ TEST(Median, LeavesTheCallersValuesInTheirOrder) {
 TEST(Median, RefusesNone) { EXPECT_THROW(Median(std::vector<double>{}), std::invalid_argument); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::median_test

@@ -8,7 +8,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::noise_floor_test {
 namespace {
 
 /// A sum of sines up to `share` of half the rate, and white noise.
@@ -36,4 +36,4 @@ TEST(NoiseFloor, IsNothingWithoutNoiseOrInAShortSignal) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::noise_floor_test

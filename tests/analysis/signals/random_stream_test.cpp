@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::random_stream_test {
 namespace {
 
 TEST(RandomStream, IsAFunctionOfSeedAndStream) {
@@ -59,4 +59,4 @@ TEST(RandomStream, OfTwoPurposesHasNothingInCommon) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::random_stream_test

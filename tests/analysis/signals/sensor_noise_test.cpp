@@ -10,7 +10,7 @@
 #include "analysis/signals/low_pass.h"
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::sensor_noise_test {
 namespace {
 
 constexpr double kRate = 500;
@@ -61,4 +61,4 @@ TEST(SensorNoise, SpikesAreNotNormal) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::sensor_noise_test

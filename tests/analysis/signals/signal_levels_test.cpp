@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace fourpost {
+namespace fourpost::signal_levels_test {
 namespace {
 
 /// The smallest difference by all values in order.
@@ -38,4 +38,4 @@ TEST(SignalLevels, OfManyValuesAreTheirSmallestDifference) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::signal_levels_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::signal_timing_test {
 namespace {
 
 constexpr double kRate_Hz = 500;
@@ -43,4 +43,4 @@ TEST(SignalTiming, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::signal_timing_test

@@ -13,7 +13,7 @@
 #include "analysis/signals/low_pass.h"
 #include "analysis/signals/spectrum.h"
 
-namespace fourpost {
+namespace fourpost::signal_tools_test {
 namespace {
 
 constexpr double kRate_Hz = 500;
@@ -69,4 +69,4 @@ TEST_F(SignalTools, HavePowerOverFrequency) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::signal_tools_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::spikes_test {
 namespace {
 
 using testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(Spikes, AreNoNoise) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::spikes_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::spline_through_test {
 namespace {
 
 // Slopes at the ends are those of the cubic, too.
@@ -19,4 +19,4 @@ TEST(SplineThrough, IsTheCubicThatItSamples) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::spline_through_test

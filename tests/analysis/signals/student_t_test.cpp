@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::student_t_test {
 namespace {
 
 // Percentage points to three decimals of Fisher and Yates, as in Abramowitz and Stegun, table 26.10.
@@ -35,4 +35,4 @@ TEST(StudentT, FallsWithoutAJump) {
 TEST(StudentT, WantsADegreeOfFreedom) { EXPECT_THROW(StudentT95(0.5), std::invalid_argument); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::student_t_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::turning_points_test {
 namespace {
 
 using testing::ElementsAre;
@@ -34,4 +34,4 @@ TEST(TurningPoints, LeaveNoiseOut) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::turning_points_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::uneven_samples_test {
 namespace {
 
 TEST(UnevenSamples, ParabolasAreExact) {
@@ -45,4 +45,4 @@ TEST(UnevenSamples, RefusesTimesThatDoNotRise) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::uneven_samples_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::unfiltered_test {
 namespace {
 
 constexpr double kRate_Hz = 500;
@@ -77,4 +77,4 @@ TEST(Unfiltered, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::unfiltered_test

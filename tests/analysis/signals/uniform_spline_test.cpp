@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::uniform_spline_test {
 namespace {
 
 double Cubic(double t) { return 1 + t * (-2 + t * (0.5 + 3 * t)); }
@@ -63,4 +63,4 @@ TEST(SlopeAtStart, IsThatOfACubicAndOfALine) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::uniform_spline_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::base64_test {
 namespace {
 
 /// RFC 4648, section 10.
@@ -18,4 +18,4 @@ TEST(Base64, IsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::base64_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::diagnostics_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -155,4 +155,4 @@ TEST(FaultyInput, SaysWhatTheDiagnosticsSay) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::diagnostics_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::enumeration_test {
 namespace {
 
 TEST(Enumeration, HasCommasAndAnAnd) {
@@ -15,4 +15,4 @@ TEST(Enumeration, HasCommasAndAnAnd) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::enumeration_test

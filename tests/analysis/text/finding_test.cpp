@@ -6,7 +6,7 @@
 
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::finding_test {
 namespace {
 
 const Finding kMassless{"test-massless", Severity::kError, "{} has no mass", "add <mass value=\"{}\"/>"};
@@ -42,4 +42,4 @@ TEST(Diagnostics, RefuseWithOneFinding) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::finding_test

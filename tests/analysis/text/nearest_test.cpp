@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::nearest_test {
 namespace {
 
 constexpr std::array<std::string_view, 4> kLegal = {"gain", "phase", "amplitude", "channel"};
@@ -58,4 +58,4 @@ TEST(Nearest, ComparesNoNamesOfMegabytes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::nearest_test

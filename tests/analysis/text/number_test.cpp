@@ -6,7 +6,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::number_test {
 namespace {
 
 TEST(ParseNumber, ReadsDecimalNumbers) {
@@ -74,4 +74,4 @@ TEST(FormatNumber, NamesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::number_test

@@ -7,7 +7,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::option_check_test {
 namespace {
 
 using testing::StrEq;
@@ -26,4 +26,4 @@ TEST(OptionCheck, RefusesNanWhenTheConditionIsWrittenForIt) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::option_check_test

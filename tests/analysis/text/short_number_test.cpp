@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::short_number_test {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -33,4 +33,4 @@ TEST(ShortNumber, AtDigitsIsTheNearestSuchNumber) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::short_number_test

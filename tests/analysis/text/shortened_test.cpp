@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::shortened_test {
 namespace {
 
 TEST(Shortened, LeavesWhatIsShort) {
@@ -18,4 +18,4 @@ TEST(Shortened, KeepsBeginningAndEnd) {
 TEST(Shortened, CutsNoCharacter) { EXPECT_EQ(Shortened("aßßßßßßßßßße", 6), "aß[... 18 bytes ...]e"); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::shortened_test

@@ -6,7 +6,7 @@
 
 #include "analysis/text/text_table.h"
 
-namespace fourpost {
+namespace fourpost::table_width_test {
 namespace {
 
 class TableWidth : public testing::Test {
@@ -50,4 +50,4 @@ TEST_F(TableWidth, LeavesAColumnThatIsWiderAlone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::table_width_test

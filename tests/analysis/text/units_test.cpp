@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::units_test {
 namespace {
 
 TEST(Units, ReadsASingleUnit) {
@@ -161,4 +161,4 @@ TEST(FormatQuantity, InDegreesIsAtMostOneRoundingAway) {
 TEST(FormatQuantity, RefusesAnUnknownUnit) { EXPECT_THROW(FormatQuantity(1, "furlong"), std::invalid_argument); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::units_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::utf8_test {
 namespace {
 
 TEST(ValidUtf8, LeavesCharactersOfAnyLengthAsTheyAre) {
@@ -24,4 +24,4 @@ TEST(ValidUtf8, ReplacesEachByteThatBelongsToNone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::utf8_test

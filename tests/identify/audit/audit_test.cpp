@@ -8,7 +8,7 @@
 #include "analysis/signals/random_stream.h"
 #include "identify/audit/audit_equations.h"
 
-namespace fourpost {
+namespace fourpost::audit_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -201,4 +201,4 @@ TEST(Audit, ClearsChannelsWhoseScaleAndDelayItWouldHaveSeen) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::audit_test

@@ -14,7 +14,7 @@
 #include "vehicles/description/gravity.h"
 #include "vehicles/posts/road.h"
 
-namespace fourpost {
+namespace fourpost::car_metrics_test {
 namespace {
 
 using Eigen::Index;
@@ -122,4 +122,4 @@ TEST(CarMetrics, RefuseACarWithoutPostsAndAnUnstableSetting) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::car_metrics_test

@@ -14,7 +14,7 @@
 #include "identify/search/draws.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::choice_test {
 namespace {
 
 using Eigen::Index;
@@ -298,4 +298,4 @@ TEST(SettingSearch, KeepsTheBestOfManySettings) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::choice_test

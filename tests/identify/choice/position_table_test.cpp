@@ -6,7 +6,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::position_table_test {
 namespace {
 
 using testing::ElementsAre;
@@ -65,4 +65,4 @@ TEST(PositionTable, OfARunHasTheFittedValuesAtItsSettings) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::position_table_test

@@ -11,7 +11,7 @@
 #include "tests/temporary_folder.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::settings_file_test {
 namespace {
 
 using testing::DoubleNear;
@@ -213,4 +213,4 @@ TEST_F(SettingsFileTest, APositionStandsOnce) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::settings_file_test

@@ -10,7 +10,7 @@
 #include "identify/problems/test_problem.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::comparison_test {
 namespace {
 
 using testing::ElementsAre;
@@ -189,7 +189,7 @@ TEST(MethodPreset, FitsTheKindOfProblem) {
     return false;
   };
   EXPECT_TRUE(std::holds_alternative<CmaesOptions>(MethodPreset("auto", GearTrain())));
-  EXPECT_TRUE(std::holds_alternative<AdaptiveOptions>(MethodPreset("auto", Spring(1e-6))));
+  EXPECT_TRUE(std::holds_alternative<AdaptiveOptions>(MethodPreset("auto", CoilSpring(1e-6))));
   // dvHDE is dvHDE everywhere.
   EXPECT_TRUE(is(MethodPreset("dvhde", GearTrain()), "acceleration", "pattern"));
   Problem smooth = MassSpringDamper();
@@ -234,4 +234,4 @@ INSTANTIATE_TEST_SUITE_P(Comparison, DefaultPreset,
                                          Needed{"half_car", 140}, Needed{"half_car_out_of_bounds", 1030}));
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::comparison_test

@@ -8,7 +8,7 @@
 
 #include "identify/search/draws.h"
 
-namespace fourpost {
+namespace fourpost::decision_test {
 namespace {
 
 using Eigen::Index;
@@ -133,4 +133,4 @@ TEST(ParetoFront, IsWhatComparingAllPairsLeaves) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::decision_test

@@ -8,7 +8,7 @@
 
 #include "identify/search/draws.h"
 
-namespace fourpost {
+namespace fourpost::value_of_information_test {
 namespace {
 
 using Eigen::Index;
@@ -127,4 +127,4 @@ TEST(InformativeRuns, KnowByCorrelation) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::value_of_information_test

@@ -5,7 +5,7 @@
 #include "analysis/text/name_meaning.h"
 #include "identify/study_file/channel_source_text.h"
 
-namespace fourpost {
+namespace fourpost::channel_match_test {
 namespace {
 
 TEST(NameMeaning, ReadsCornersAndPartsOfManySpellings) {
@@ -146,4 +146,4 @@ TEST(ChannelMatch, NamesARivalThatFitsAsWell) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::channel_match_test

@@ -12,7 +12,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::covered_ranges_test {
 namespace {
 
 using testing::IsEmpty;
@@ -114,4 +114,4 @@ TEST(ProbedVehicle, HasTheSpeedsTravelsAndLoadsOfASine) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::covered_ranges_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::known_answers_test {
 namespace {
 
 class KnownAnswersTest : public testing::Test {
@@ -47,4 +47,4 @@ TEST_F(KnownAnswersTest, KeepNothingOfAFailure) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::known_answers_test

@@ -8,7 +8,7 @@
 #include "identify/experiments/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::run_history_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -62,4 +62,4 @@ TEST(HistoriesJson, TellsWhatAFileLacks) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::run_history_test

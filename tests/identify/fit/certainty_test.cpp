@@ -8,7 +8,7 @@
 #include "identify/fit/fitted_parameters.h"
 #include "tests/identify/toy_objective.h"
 
-namespace fourpost {
+namespace fourpost::certainty_test {
 namespace {
 
 constexpr Eigen::Index kCount = 40;
@@ -147,4 +147,4 @@ TEST(Certainty, ReachesToWhereMissingPhysicsTakesAParameter) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::certainty_test

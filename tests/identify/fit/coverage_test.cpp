@@ -12,7 +12,7 @@
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::coverage_test {
 namespace {
 
 constexpr int kFits = 500;
@@ -96,4 +96,4 @@ TEST(Coverage, OfNominal95PercentIsThat) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::coverage_test

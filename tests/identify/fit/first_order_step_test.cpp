@@ -7,7 +7,7 @@
 #include "identify/fit/fit.h"
 #include "tests/identify/toy_objective.h"
 
-namespace fourpost {
+namespace fourpost::first_order_step_test {
 namespace {
 
 using Residuals = std::function<Eigen::VectorXd(const std::vector<double>&)>;
@@ -64,4 +64,4 @@ TEST(RemainingStep, LeavesNoDeviationsFarFromTheOptimum) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::first_order_step_test

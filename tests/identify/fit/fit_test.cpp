@@ -15,7 +15,7 @@
 #include "tests/identify/toy_objective.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::fit_test {
 namespace {
 
 /// Parameters away from the file's starting values, inside their ranges.
@@ -365,4 +365,4 @@ TEST(Fit, TellsWhenEveryEvaluationFails) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::fit_test

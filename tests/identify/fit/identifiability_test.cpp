@@ -7,7 +7,7 @@
 #include "identify/fit/findings.h"
 #include "tests/identify/shipped_study.h"
 
-namespace fourpost {
+namespace fourpost::identifiability_test {
 namespace {
 
 LoadedStudy WithoutForces() {
@@ -77,4 +77,4 @@ TEST(Identifiability, OfAFewParametersTheRemedyIsNoForce) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::identifiability_test

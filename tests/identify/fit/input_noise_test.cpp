@@ -9,7 +9,7 @@
 #include "identify/fit/fit.h"
 #include "tests/identify/toy_objective.h"
 
-namespace fourpost {
+namespace fourpost::input_noise_test {
 namespace {
 
 constexpr double kTrue = 2;
@@ -84,4 +84,4 @@ TEST(InputNoise, DoesNotMoveTheOptimumByMoreThanNoiseCan) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::input_noise_test

@@ -7,7 +7,7 @@
 #include "identify/fit/fit.h"
 #include "tests/identify/toy_objective.h"
 
-namespace fourpost {
+namespace fourpost::optimum_test {
 namespace {
 
 constexpr Eigen::Index kCount = 200;
@@ -68,4 +68,4 @@ TEST(Optimum, TakesCalibrationsAsStatedWhereTheStepDoesNotHold) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::optimum_test

@@ -13,7 +13,7 @@
 #include "vehicles/condensed/reduced_bytes.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::live_vehicle_test {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST(LiveCalls, SayWhyTheyRefuse) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::live_vehicle_test

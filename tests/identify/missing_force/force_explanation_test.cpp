@@ -11,7 +11,7 @@
 #include "identify/missing_force/force_parts.h"
 #include "identify/search/draws.h"
 
-namespace fourpost {
+namespace fourpost::force_explanation_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -204,4 +204,4 @@ TEST(ForceParts, AreThoseOfEachElement) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::force_explanation_test

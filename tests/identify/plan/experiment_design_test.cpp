@@ -9,7 +9,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::experiment_design_test {
 namespace {
 
 using Eigen::Index;
@@ -138,4 +138,4 @@ TEST(ExperimentDesign, RepeatsWhatRepeatsImprove) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::experiment_design_test

@@ -11,7 +11,7 @@
 #include "tests/temporary_folder.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::plan_test {
 namespace {
 
 constexpr double kNoise_mps2 = 0.02;
@@ -112,4 +112,4 @@ TEST(Plan, NamesWhatNoRunTells) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::plan_test

@@ -10,7 +10,7 @@
 #include "tests/findings.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::rig_file_test {
 namespace {
 
 class RigFileTest : public testing::Test {
@@ -97,4 +97,4 @@ TEST_F(RigFileTest, TheUsualRigMovesAsThePostsCan) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::rig_file_test

@@ -19,7 +19,7 @@
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/refine.h"
 
-namespace fourpost {
+namespace fourpost::test_problem_test {
 namespace {
 
 using Teeth = std::vector<int>;
@@ -254,4 +254,4 @@ TEST(TestProblems, AreAllThereByName) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::test_problem_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::derivative_check_test {
 namespace {
 
 constexpr double kStep = 1e-3;
@@ -83,4 +83,4 @@ TEST_F(DerivativeCheck, StaysWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::derivative_check_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::difference_jacobian_test {
 namespace {
 
 constexpr double kStep = 1e-4;
@@ -199,4 +199,4 @@ TEST(DifferenceStep, IsTiedToTheAccuracyOfTheSolver) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::difference_jacobian_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::fit_variables_test {
 namespace {
 
 using testing::StrEq;
@@ -75,4 +75,4 @@ TEST(FitVariables, RefuseAValueOutOfBoundsByName) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::fit_variables_test

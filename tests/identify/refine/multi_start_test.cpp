@@ -8,7 +8,7 @@
 #include "identify/refine/quasi_newton.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::multi_start_test {
 namespace {
 
 constexpr StopRules kRules = {.target_cost = kOscillatorTarget, .max_evaluations = 2000, .max_generations = 100};
@@ -77,4 +77,4 @@ TEST(QuasiNewton, NamesAStartOutOfBounds) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::multi_start_test

@@ -18,7 +18,7 @@
 #include "identify/uncertainty/covariance.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::refine_test {
 namespace {
 
 using testing::StrEq;
@@ -501,4 +501,4 @@ TEST(TwinExperiment, RecoversTheParametersFromNoisyResponsesWithinTheirUncertain
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::refine_test

@@ -10,7 +10,7 @@
 
 #include "identify/refine/refine.h"
 
-namespace fourpost {
+namespace fourpost::robust_loss_test {
 namespace {
 
 constexpr std::array<LossKind, 4> kLosses = {LossKind::kHuber, LossKind::kSoftL1, LossKind::kCauchy, LossKind::kTukey};
@@ -220,4 +220,4 @@ TEST(RobustLoss, IsNotLedAwayFromItsOptimum) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::robust_loss_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::several_starts_test {
 namespace {
 
 // Minima at x = 2 with a cost of 0 and near x = -2 with a cost near 4; fails beyond 4.
@@ -236,4 +236,4 @@ TEST(CoarseResiduals, ThatLeadToAPoorOptimumLoseNoBetterOne) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::several_starts_test

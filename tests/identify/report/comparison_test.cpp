@@ -12,7 +12,7 @@
 #include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::comparison_test {
 namespace {
 
 using testing::AllOf;
@@ -339,4 +339,4 @@ TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::comparison_test

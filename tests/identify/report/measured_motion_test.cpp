@@ -8,7 +8,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::measured_motion_test {
 namespace {
 
 /// A quarter car whose damper has one rate, so that it is linear, on a post at some frequencies.
@@ -80,4 +80,4 @@ TEST(MeasuredMotion, FollowsTheModelWhereNothingIsMeasured) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::measured_motion_test

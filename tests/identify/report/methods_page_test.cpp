@@ -7,7 +7,7 @@
 
 #include "identify/comparison/methods_chart.h"
 
-namespace fourpost {
+namespace fourpost::methods_page_test {
 namespace {
 
 using testing::AllOf;
@@ -74,4 +74,4 @@ TEST(MethodsSvg, StepsUpAtEachSuccess) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::methods_page_test

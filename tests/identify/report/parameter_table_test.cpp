@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::parameter_table_test {
 namespace {
 
 using testing::AllOf;
@@ -136,4 +136,4 @@ TEST(ParameterTable, HasNoColumnsOfDeviationsThatNothingTells) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::parameter_table_test

@@ -7,7 +7,7 @@
 #include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::ranked_run_test {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST_F(FittedModelsTest, MustBeOfBenches) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::ranked_run_test

@@ -7,7 +7,7 @@
 #include "identify/study/experiment_kinds.h"
 #include "vehicles/requests/versions.h"
 
-namespace fourpost {
+namespace fourpost::report_summary_test {
 namespace {
 
 using testing::AllOf;
@@ -321,4 +321,4 @@ TEST(Summary, EscapesNames) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::report_summary_test

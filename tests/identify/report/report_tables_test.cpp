@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::report_tables_test {
 namespace {
 
 using testing::AllOf;
@@ -18,4 +18,4 @@ TEST(ModeTable, ShowsTheThreeLargestSharesAndTheRestOnDemand) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::report_tables_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::report_tiles_test {
 namespace {
 
 using testing::AllOf;
@@ -50,4 +50,4 @@ TEST(ReportTiles, OfARunThatSaysNothingSayNothing) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::report_tiles_test

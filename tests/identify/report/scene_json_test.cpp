@@ -9,7 +9,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/linear_response.h"
 
-namespace fourpost {
+namespace fourpost::scene_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -106,4 +106,4 @@ TEST(SceneJson, NamesMeshesThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::scene_json_test

@@ -9,7 +9,7 @@
 #include "vehicles/posts/height_signals.h"
 #include "vehicles/posts/post_motions.h"
 
-namespace fourpost {
+namespace fourpost::simulated_motion_test {
 namespace {
 
 PostMotion Sine(double frequency_Hz, double end_s) {
@@ -55,4 +55,4 @@ TEST(SimulatedMotion, FindsTheHighestFrequencyOfTheMotion) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::simulated_motion_test

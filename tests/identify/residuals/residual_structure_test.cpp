@@ -4,7 +4,7 @@
 
 #include "identify/residuals/residual_block.h"
 
-namespace fourpost {
+namespace fourpost::residual_structure_test {
 namespace {
 
 using testing::ElementsAre;
@@ -38,4 +38,4 @@ TEST(ResidualStructure, JoinsPartitionsOfOneNameAndMakesAClusterOfABlockWithout)
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::residual_structure_test

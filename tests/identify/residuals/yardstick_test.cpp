@@ -7,7 +7,7 @@
 #include "analysis/signals/random_stream.h"
 #include "identify/residuals/history_table.h"
 
-namespace fourpost {
+namespace fourpost::yardstick_test {
 namespace {
 
 using Eigen::Index;
@@ -87,4 +87,4 @@ TEST(Yardstick, SaysNothingWithoutAFittedRecordingOfTheRate) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::yardstick_test

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::addition_round_test {
 namespace {
 
 SuggestedAddition Suggested(const std::string& mechanism, double cost, double worth) {
@@ -53,4 +53,4 @@ TEST(AdditionRound, ChargesForEachChoice) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::addition_round_test

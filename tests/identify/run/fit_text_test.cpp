@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::fit_text_test {
 namespace {
 
 using testing::HasSubstr;
@@ -63,4 +63,4 @@ TEST(FitText, LeavesTheModelAloneWhereTheStatedErrorExplainsThatPartsDisagree) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::fit_text_test

@@ -6,7 +6,7 @@
 #include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::fit_verdict_test {
 namespace {
 
 ErrorShare Share(const std::string& channel, const std::string& recording, double measured, double nmse_percent) {
@@ -234,4 +234,4 @@ TEST(FitVerdict, NamesOtherOptimaThatTheDataAllow) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::fit_verdict_test

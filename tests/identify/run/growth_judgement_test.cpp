@@ -10,7 +10,7 @@
 #include "identify/run/take_back.h"
 #include "identify/suggest/score_test.h"
 
-namespace fourpost {
+namespace fourpost::growth_judgement_test {
 namespace {
 
 GrowthStep Judged(const GrowthStep& before, GrowthStep step) {
@@ -77,4 +77,4 @@ TEST(GrowthJudgement, TakesBackWhatItWouldNotAdd) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::growth_judgement_test

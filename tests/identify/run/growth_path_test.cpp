@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace fourpost {
+namespace fourpost::growth_path_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ TEST_F(GrowthPathTest, RemembersAnAdditionThatCouldNotBeFitted) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::growth_path_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::remade_study_test {
 namespace {
 
 Addition Offered(const std::string& mechanism, const std::string& words, int variant) {
@@ -38,4 +38,4 @@ TEST(RemadeStudy, TakesTheOneThatIsLeft) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::remade_study_test

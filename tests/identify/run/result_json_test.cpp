@@ -8,7 +8,7 @@
 #include "identify/run/findings.h"
 #include "identify/study/findings.h"
 
-namespace fourpost {
+namespace fourpost::result_json_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -105,4 +105,4 @@ TEST(ResultJson, HasNoDeviationForWhatIsUndetermined) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::result_json_test

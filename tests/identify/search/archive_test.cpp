@@ -19,7 +19,7 @@
 #include "tests/identify/test_problems.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::archive_test {
 namespace {
 
 using testing::ElementsAre;
@@ -378,4 +378,4 @@ TEST_F(StoredArchive, ServesOneMethodWithWhatAnotherPaidFor) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::archive_test

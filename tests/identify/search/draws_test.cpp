@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::draws_test {
 namespace {
 
 Draws Stream(std::uint64_t seed = 1) { return Draws(seed, DrawPurpose::kTrial, 0, 0); }
@@ -116,4 +116,4 @@ TEST(Draws, NormalHasItsMoments) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::draws_test

@@ -7,7 +7,7 @@
 #include "identify/refine/search_method_list.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::dvhde_hard_problems_test {
 namespace {
 
 using testing::HasSubstr;
@@ -86,12 +86,12 @@ TEST(SearchGains, AreCountedForAccelerationsAndMigrations) {
   EXPECT_LE(gears.migrations.successes, gears.migrations.count);
   // Two points for each of 20 and more members.
   EXPECT_GE(gears.migrations.evaluations, 30 * gears.migrations.count);
-  const SearchResult spring = SearchBy("dvhde", Spring(1e-6), 1000);
+  const SearchResult spring = SearchBy("dvhde", CoilSpring(1e-6), 1000);
   EXPECT_GT(spring.accelerations.count, 10);
   EXPECT_GT(spring.accelerations.successes, 0);
   EXPECT_LT(spring.accelerations.cost_ratio, 1);
   EXPECT_GT(spring.accelerations.evaluations, spring.accelerations.count);
-  const SearchResult plain = SearchBy("de", Spring(1e-6), 1000);
+  const SearchResult plain = SearchBy("de", CoilSpring(1e-6), 1000);
   EXPECT_EQ(plain.accelerations, SearchGain());
   EXPECT_EQ(plain.migrations, SearchGain());
 }
@@ -108,4 +108,4 @@ TEST(AlgorithmName, IsOfWhatRuns) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::dvhde_hard_problems_test

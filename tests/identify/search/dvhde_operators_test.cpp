@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::dvhde_operators_test {
 namespace {
 
 using testing::ElementsAre;
@@ -175,4 +175,4 @@ TEST(DvhdeOperators, ScatterFromABoundCoversTheWholeAxisAndNoMore) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::dvhde_operators_test

@@ -8,7 +8,7 @@
 
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::dvhde_success_test {
 namespace {
 
 /// Differential evolution without what dvHDE adds, for the thesis's 1000 generations of 40.
@@ -64,13 +64,13 @@ TEST(DvhdeSuccess, AlwaysSolvesTheCoilSpringWithTheDefaults) {
   DvhdeSearch options(DvhdeOptions{});
   options.max_evaluations = 20000;
   const double target = 2.65865;  // prints 2.6586; the next design with another wire is 1.5 % above
-  const Tally tally = Runs(Spring(1e-6), options, 100, target);
+  const Tally tally = Runs(CoilSpring(1e-6), options, 100, target);
   EXPECT_EQ(tally.solved, 100);
   // 1000 other seeds: 1179 of a standard deviation of 800 a run.
   EXPECT_NEAR(tally.mean_paid, 1179, 4 * 800 / std::sqrt(100));
 
   options.target_cost = 2.658565;
-  Archive archive(Spring(1e-6));
+  Archive archive(CoilSpring(1e-6));
   const Candidate best = SearchDvhde(archive, options).best();
   EXPECT_EQ(best.values[0], 9);
   EXPECT_EQ(kSpringWires_in.at(static_cast<std::size_t>(best.values[1]) - 1), 0.283);
@@ -83,7 +83,7 @@ TEST(DvhdeSuccess, SolvesTheCoilSpringAsOftenAsTheThesisWithItsSettings) {
   options.base = MutationBase::kBest;
   options.factor = 0.9;
   options.crossover = 0.9;
-  EXPECT_NEAR(Runs(Spring(1e-12), options, 200, 2.65865).solved, 114, 28);
+  EXPECT_NEAR(Runs(CoilSpring(1e-12), options, 200, 2.65865).solved, 114, 28);
 }
 
 // Thesis: 99 % with migration. It does not tell below which diversity; 0.05 is the reading here.
@@ -96,7 +96,7 @@ TEST(DvhdeSuccess, SolvesTheCoilSpringWithMigrationAsTheThesis) {
   options.diversity_measure = DiversityMeasure::kIndex;
   options.max_evaluations = 100000;
   // 1000 other seeds: 99.4 %; 4 standard deviations of a binomial rate of 100.
-  EXPECT_GE(Runs(Spring(1e-12), options, 100, 2.65865).solved, 96);
+  EXPECT_GE(Runs(CoilSpring(1e-12), options, 100, 2.65865).solved, 96);
 }
 
 TEST(DvhdeSuccess, IdentifiesMassSpringAndDamper) {
@@ -158,4 +158,4 @@ TEST(DvhdeSuccess, ThesisSettingsComeNearMassSpringAndDamper) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::dvhde_success_test

@@ -17,7 +17,7 @@
 #include "tests/identify/test_problems.h"
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::dvhde_test {
 namespace {
 
 using testing::ElementsAre;
@@ -64,7 +64,7 @@ DvhdeSearch Busy() {
 }
 
 TEST(Dvhde, GivesTheSameHistoryForAnyNumberOfThreads) {
-  for (const Problem& problem : {GearTrain(), Spring(1e-6)}) {
+  for (const Problem& problem : {GearTrain(), CoilSpring(1e-6)}) {
     const History alone = HistoryOf(problem, Busy(), 1);
     EXPECT_EQ(alone, HistoryOf(problem, Busy(), 1));
     EXPECT_EQ(alone, HistoryOf(problem, Busy(), 2));
@@ -191,7 +191,7 @@ TEST(Dvhde, TellsEachGenerationAsItsLogHasIt) {
 }
 
 TEST(Dvhde, LogsTotalsAndACostThatNeverRises) {
-  Archive archive(Spring(1e-6));
+  Archive archive(CoilSpring(1e-6));
   const SearchResult result = SearchDvhde(archive, Busy());
   for (std::size_t i = 1; i < result.log.size(); ++i) {
     EXPECT_LE(result.log[i].best_cost, result.log[i - 1].best_cost);
@@ -381,4 +381,4 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"candidate_separation = 1, must be in [0, 1)", [](DvhdeSearch& o) { o.candidate_separation = 1; }}));
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::dvhde_test

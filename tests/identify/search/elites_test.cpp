@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::elites_test {
 namespace {
 
 std::vector<double> Costs(const Elites& elites) {
@@ -39,4 +39,4 @@ TEST(Elites, BeginAnew) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::elites_test

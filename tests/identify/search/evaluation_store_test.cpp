@@ -21,7 +21,7 @@
 #include "identify/search/sqlite_database.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::evaluation_store_test {
 namespace {
 
 using testing::ElementsAre;
@@ -281,4 +281,4 @@ TEST_F(EvaluationStoreTest, SaysWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::evaluation_store_test

@@ -11,7 +11,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::evaluation_test {
 namespace {
 
 Evaluation Residuals(double a, double b) {
@@ -135,4 +135,4 @@ TEST(Evaluation, FailuresHaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::evaluation_test

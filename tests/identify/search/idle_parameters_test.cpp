@@ -10,7 +10,7 @@
 #include "tests/findings.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::idle_parameters_test {
 namespace {
 
 using testing::ElementsAre;
@@ -63,4 +63,4 @@ TEST(CheckEffects, NamesAConstantObjectiveAndAnIdleParameter) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::idle_parameters_test

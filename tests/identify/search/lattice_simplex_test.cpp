@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::lattice_simplex_test {
 namespace {
 
 using ScorePoints = std::function<std::vector<Score>(const std::vector<LatticePoint>&)>;
@@ -185,4 +185,4 @@ TEST(LatticeSimplex, HasCollapsedWhenNoVertexIsFurtherThanAStep) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::lattice_simplex_test

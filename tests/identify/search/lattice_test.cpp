@@ -8,7 +8,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::lattice_test {
 namespace {
 
 using testing::ElementsAre;
@@ -157,4 +157,4 @@ TEST(Lattice, RoundsDiscreteValuesOnly) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::lattice_test

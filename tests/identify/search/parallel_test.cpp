@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::parallel_test {
 namespace {
 
 using testing::Each;
@@ -59,4 +59,4 @@ TEST(Parallel, WhatAPartThrowsArrives) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::parallel_test

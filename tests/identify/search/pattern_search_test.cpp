@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::pattern_search_test {
 namespace {
 
 using testing::ElementsAre;
@@ -69,4 +69,4 @@ TEST(PatternSearch, AsksForItsOwnStartWhereThatHasNoScore) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::pattern_search_test

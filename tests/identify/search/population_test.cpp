@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::population_test {
 namespace {
 
 const Score kFailure = {0, Failure::kNotFinite};
@@ -53,4 +53,4 @@ TEST_F(PopulationDiversity, ByIndexIsBiasedWhereTheBestIndexIsSmall) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::population_test

@@ -13,7 +13,7 @@
 #include "identify/search/dvhde.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::run_search_test {
 namespace {
 
 using testing::HasSubstr;
@@ -151,7 +151,7 @@ std::vector<LatticePoint> Drive(Method& method, Archive& archive, int batches) {
 }
 
 TYPED_TEST(AskAndTell, GivesTheSamePointsForTheSameSeedAndScores) {
-  for (const Problem& problem : {GearTrain(), Spring(1e-6), MassSpringDamper()}) {
+  for (const Problem& problem : {GearTrain(), CoilSpring(1e-6), MassSpringDamper()}) {
     const auto run = [&](std::uint64_t seed) {
       Archive archive(problem);
       TypeParam method = TestFixture::Make(problem.lattice, seed);
@@ -163,7 +163,7 @@ TYPED_TEST(AskAndTell, GivesTheSamePointsForTheSameSeedAndScores) {
 }
 
 TYPED_TEST(AskAndTell, GoesOnFromACopyAsFromItself) {
-  Archive archive(Spring(1e-6));
+  Archive archive(CoilSpring(1e-6));
   TypeParam method = TestFixture::Make(archive.lattice(), 3);
   Drive(method, archive, 57);
   TypeParam copy = method;
@@ -186,4 +186,4 @@ TYPED_TEST(AskAndTell, SurvivesAProblemThatAlwaysFails) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::run_search_test

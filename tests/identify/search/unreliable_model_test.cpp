@@ -11,7 +11,7 @@
 #include "identify/refine/search_method_list.h"
 #include "identify/refine/several_starts.h"
 
-namespace fourpost {
+namespace fourpost::unreliable_model_test {
 namespace {
 
 /// Where a sphere's centre is.
@@ -124,4 +124,4 @@ TEST(UnreliableModel, NamesTheCauseWhereAllFails) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::unreliable_model_test

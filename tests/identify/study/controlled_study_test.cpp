@@ -10,7 +10,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::controlled_study_test {
 namespace {
 
 constexpr const char* kVehicle = R"(<robot name="bench" xmlns:fp="urn:fourpost:vehicle:1"><link name="tube"/>
@@ -83,4 +83,4 @@ TEST_F(ControlledStudy, LeavesOutAValidationWithoutASetting) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::controlled_study_test

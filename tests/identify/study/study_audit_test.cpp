@@ -6,7 +6,7 @@
 #include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 
-namespace fourpost {
+namespace fourpost::study_audit_test {
 namespace {
 
 MeasuredChannel& Channel(MeasuredRun& run, const LoadedStudy& study, const std::string& name) {
@@ -78,4 +78,4 @@ TEST(StudyAudit, JsonHasWhatTheTableHas) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::study_audit_test

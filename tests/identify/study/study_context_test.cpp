@@ -7,7 +7,7 @@
 #include "tests/temporary_folder.h"
 #include "vehicles/requests/versions.h"
 
-namespace fourpost {
+namespace fourpost::study_context_test {
 namespace {
 
 class StudyContext : public testing::Test {
@@ -109,4 +109,4 @@ TEST(BuildId, HasTheProgramsFileToGoByWhereTheLinkerLeftNone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::study_context_test

@@ -10,7 +10,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::study_methods_test {
 namespace {
 
 class StudyMethods : public testing::Test {
@@ -119,4 +119,4 @@ TEST_F(StudyMethods, NamesFaultsWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::study_methods_test

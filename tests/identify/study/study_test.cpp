@@ -16,7 +16,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::study_test {
 namespace {
 
 constexpr const char* kGood = R"(vehicle: car.urdf
@@ -289,4 +289,4 @@ TEST_F(StudyTest, ATestProblemHasNoVehicle) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::study_test

@@ -6,7 +6,7 @@
 #include "identify/study_file/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::calibration_test {
 namespace {
 
 std::vector<Calibration> Read(const std::string& text, Diagnostics& findings) {
@@ -56,4 +56,4 @@ TEST(Calibration, OfAGainIsNotAsLargeAsTheGain) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::calibration_test

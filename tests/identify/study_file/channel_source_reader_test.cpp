@@ -6,7 +6,7 @@
 #include "identify/study_file/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::channel_source_reader_test {
 namespace {
 
 using Sources = std::vector<std::pair<std::string, ChannelSource>>;
@@ -95,4 +95,4 @@ TEST(ChannelSourceReader, RefusesKeysOfAnotherKindOfData) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::channel_source_reader_test

@@ -7,7 +7,7 @@
 #include "identify/study_file/study_yaml.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::control_test {
 namespace {
 
 using testing::DoubleEq;
@@ -66,4 +66,4 @@ TEST(Control, IsReadStrictly) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::control_test

@@ -4,7 +4,7 @@
 
 #include "identify/study_file/study_yaml.h"
 
-namespace fourpost {
+namespace fourpost::study_about_test {
 namespace {
 
 TEST(StudyAbout, IsWhatTheStudyStates) {
@@ -32,4 +32,4 @@ TEST(StudyAbout, IsEmptyWhereNothingIsStatedOrNothingCanBeRead) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::study_about_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::study_edit_test {
 namespace {
 
 using testing::ElementsAre;
@@ -91,4 +91,4 @@ TEST(StudyEdit, ScalesNoiseThatIsStated) {
 TEST(StudyEdit, KnowsMeasuredSensors) { EXPECT_THAT(MeasuredSensors(kStudy), ElementsAre("a_body", "F")); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::study_edit_test

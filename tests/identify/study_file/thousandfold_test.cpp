@@ -6,7 +6,7 @@
 
 #include "identify/study_file/channel_source_text.h"
 
-namespace fourpost {
+namespace fourpost::thousandfold_test {
 namespace {
 
 class UnitMeant : public testing::Test {
@@ -41,4 +41,4 @@ TEST_F(UnitMeant, IsNoneOfAnotherFactor) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::thousandfold_test

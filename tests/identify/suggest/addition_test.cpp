@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::addition_test {
 namespace {
 
 TEST(Addition, OfOneSideIsAPartOfThatOfBoth) {
@@ -18,4 +18,4 @@ TEST(Addition, OfOneSideIsAPartOfThatOfBoth) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::addition_test

@@ -8,7 +8,7 @@
 #include "identify/refine/robust_loss.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::applied_suggestion_test {
 namespace {
 
 LoadedStudy Prepared(const std::filesystem::path& file) {
@@ -56,4 +56,4 @@ TEST_F(AppliedSuggestionTest, BeginsWhereTheSuggestionWasEvaluated) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::applied_suggestion_test

@@ -8,7 +8,7 @@
 #include "identify/suggest/addition_list.h"
 #include "tests/identify/shipped_study.h"
 
-namespace fourpost {
+namespace fourpost::augmented_study_test {
 namespace {
 
 // Nothing holds the rod of a damper on its bench, and its gas pushes it out.
@@ -28,4 +28,4 @@ TEST(AugmentedStudy, EvaluatesWhatIsAddedToADamperOnItsBench) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::augmented_study_test

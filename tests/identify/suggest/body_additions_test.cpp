@@ -8,7 +8,7 @@
 #include "identify/suggest/addition_source.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::body_additions_test {
 namespace {
 
 std::vector<Addition> PartsOf(const Vehicle& vehicle) {
@@ -96,4 +96,4 @@ TEST(BodyAdditions, OfABodyThatDoesNotPitchHaveNoPlaceToFollow) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::body_additions_test

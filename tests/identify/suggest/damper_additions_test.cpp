@@ -11,7 +11,7 @@
 #include "identify/suggest/addition_source.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::damper_additions_test {
 namespace {
 
 /// The quarter car with another law.
@@ -132,4 +132,4 @@ TEST(DamperAdditions, GiveThemBeyondASharedKneeAsWell) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::damper_additions_test

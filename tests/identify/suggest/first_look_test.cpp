@@ -15,7 +15,7 @@
 #include "identify/study/loaded_study.h"
 #include "identify/suggest/addition_list.h"
 
-namespace fourpost {
+namespace fourpost::first_look_test {
 namespace {
 
 class FirstLookAt : public testing::TestWithParam<const char*> {};
@@ -147,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(Studies, FirstLookAt,
                          [](const auto& instance) { return std::to_string(instance.index); });
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::first_look_test

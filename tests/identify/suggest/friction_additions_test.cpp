@@ -10,7 +10,7 @@
 #include "identify/suggest/addition_source.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::friction_additions_test {
 namespace {
 
 constexpr const char* kMount = R"(<series stiffness="150 kN/m"/>)";
@@ -169,4 +169,4 @@ TEST(MountAdditions, TakeFrictionOfBothSidesAlong) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::friction_additions_test

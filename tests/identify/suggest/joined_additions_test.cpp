@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::joined_additions_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -111,4 +111,4 @@ TEST(JoinedAdditions, TakesNoNegativeShare) {
 TEST(JoinedAdditions, OfNothingIsNothing) { EXPECT_TRUE(JoinAdditions(Wave(1), {}, Change).places.empty()); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::joined_additions_test

@@ -7,7 +7,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::new_numbers_test {
 namespace {
 
 using Eigen::Index;
@@ -102,4 +102,4 @@ TEST_F(TwoNumbers, StayWhereNothingCanBeEvaluated) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::new_numbers_test

@@ -7,7 +7,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::score_test_test {
 namespace {
 
 using Eigen::Index;
@@ -235,4 +235,4 @@ TEST(CriterionChange, AsksForNothingWithinTheStatedErrors) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::score_test_test

@@ -10,7 +10,7 @@
 #include "identify/suggest/addition_source.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::spring_additions_test {
 namespace {
 
 constexpr const char* kElasticFriction =
@@ -41,4 +41,4 @@ TEST(SpringAdditions, OfferNoElasticFrictionWhereThereIsSomeWhicheverEndItNamesF
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::spring_additions_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::trial_test {
 namespace {
 
 bool IsImitation(double amount, double cost, bool of_study = true) {
@@ -21,4 +21,4 @@ TEST(Trial, IsAnImitationAtTheEndOfAChannelsRangeUnlessItExplainsMost) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::trial_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::vehicle_edit_test {
 namespace {
 
 constexpr const char* kText = R"(<?xml version="1.0"?>
@@ -96,4 +96,4 @@ TEST_F(VehicleEdits, KnowMirrors) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_edit_test

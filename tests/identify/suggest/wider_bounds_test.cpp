@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::wider_bounds_test {
 namespace {
 
 std::string File(const std::string& of_speed, const std::string& of_force) {
@@ -27,4 +27,4 @@ TEST(WiderBounds, AreNotThoseOfAUserNorZero) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::wider_bounds_test

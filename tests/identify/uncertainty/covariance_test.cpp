@@ -10,7 +10,7 @@
 #include "identify/search/draws.h"
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::covariance_test {
 namespace {
 
 using testing::HasSubstr;
@@ -289,4 +289,4 @@ TEST(Covariance, NothingIsLeftWhereAllAreHeld) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::covariance_test

@@ -7,7 +7,7 @@
 #include "identify/fit/fit.h"
 #include "tests/identify/toy_objective.h"
 
-namespace fourpost {
+namespace fourpost::derivative_noise_test {
 namespace {
 
 using testing::ElementsAre;
@@ -176,4 +176,4 @@ TEST(DerivativeNoise, FindsNoiseThatIsSmallBesideTheColumn) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::derivative_noise_test

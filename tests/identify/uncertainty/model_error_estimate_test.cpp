@@ -6,7 +6,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::model_error_estimate_test {
 namespace {
 
 constexpr Eigen::Index kClusters = 4;
@@ -147,4 +147,4 @@ TEST(ModelErrorEstimate, LearnsNothingFromTwoClusters) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::model_error_estimate_test

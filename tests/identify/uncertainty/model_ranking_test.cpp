@@ -8,7 +8,7 @@
 #include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::model_ranking_test {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(ModelRanking, WarnsOfFitsThatAreNotWhatTheyCouldBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::model_ranking_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::other_optima_test {
 namespace {
 
 /// Two shares of ranges from 0 to 10, known to 0.1 of the range by noise.
@@ -32,4 +32,4 @@ TEST(OtherOptima, CountCostsByTheNoiseThatIsThere) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::other_optima_test

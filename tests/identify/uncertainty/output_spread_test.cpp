@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::output_spread_test {
 namespace {
 
 /// One relative parameter, one by its range, one that stays.
@@ -92,4 +92,4 @@ TEST(OutputSpread, SlopesAreThoseOfTheFitVariables) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::output_spread_test

@@ -7,7 +7,7 @@
 
 #include "identify/uncertainty/truncated_normal.h"
 
-namespace fourpost {
+namespace fourpost::posterior_draws_test {
 namespace {
 
 using Points = std::vector<Eigen::VectorXd>;
@@ -196,4 +196,4 @@ TEST(PosteriorDraws, LeaveOutWhatCannotBeEvaluated) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::posterior_draws_test

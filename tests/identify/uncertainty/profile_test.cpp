@@ -7,7 +7,7 @@
 #include "identify/refine/fit_variables.h"
 #include "tests/identify/test_problems.h"
 
-namespace fourpost {
+namespace fourpost::profile_test {
 namespace {
 
 /// The optimum nearest to `start`, and its covariance.
@@ -115,4 +115,4 @@ TEST(Profile, EndsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::profile_test

@@ -7,7 +7,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::residual_noise_test {
 namespace {
 
 constexpr Eigen::Index kSamples = 20000;
@@ -108,4 +108,4 @@ TEST(ResidualNoise, TakesOnlyWhatIsRoughForNoiseOverFrequency) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::residual_noise_test

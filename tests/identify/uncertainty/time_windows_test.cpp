@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::time_windows_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST(TimeWindows, AreFewerWhereOneSampleSaysAll) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::time_windows_test

@@ -9,7 +9,7 @@
 #include "tests/vehicles/element_car.h"
 #include "vehicles/laws/hydraulic_damper.h"
 
-namespace fourpost {
+namespace fourpost::bench_damper_test {
 namespace {
 
 /// A rod that slides in a clamped tube, with these elements between them.
@@ -120,4 +120,4 @@ TEST(BenchDamper, GivesNothingWhereAChamberCloses) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::bench_damper_test

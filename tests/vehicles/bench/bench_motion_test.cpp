@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::bench_motion_test {
 namespace {
 
 TEST(BenchMotion, HasTheRateOfASineWithoutDelay) {
@@ -34,4 +34,4 @@ TEST(BenchMotion, StepsAreWholeFractionsOfASample) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::bench_motion_test

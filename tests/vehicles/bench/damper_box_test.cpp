@@ -12,7 +12,7 @@
 #include "tests/vehicles/bench/bisected_series.h"
 #include "vehicles/bench/series_history.h"
 
-namespace fourpost {
+namespace fourpost::damper_box_test {
 namespace {
 
 /// Draws from the box of dampers.
@@ -140,4 +140,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, DamperBox,
                          NameOf);
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::damper_box_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::force_motion_test {
 namespace {
 
 constexpr double kStep_s = 1e-3;
@@ -66,4 +66,4 @@ TEST(ForceMotion, ShareIsThatOfTheLaws) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::force_motion_test

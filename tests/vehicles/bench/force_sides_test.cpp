@@ -15,7 +15,7 @@
 #include "tests/findings.h"
 #include "vehicles/bench/findings.h"
 
-namespace fourpost {
+namespace fourpost::force_sides_test {
 namespace {
 
 class Draws {
@@ -156,4 +156,4 @@ TEST(ForceSides, AreRightForAThousandDampers) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::force_sides_test

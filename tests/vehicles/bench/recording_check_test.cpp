@@ -15,7 +15,7 @@
 #include "tests/findings.h"
 #include "vehicles/bench/findings.h"
 
-namespace fourpost {
+namespace fourpost::recording_check_test {
 namespace {
 
 using testing::AllOf;
@@ -357,4 +357,4 @@ TEST(RecordingCheck, TellsLessThanOneCycle) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::recording_check_test

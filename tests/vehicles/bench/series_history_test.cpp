@@ -8,7 +8,7 @@
 
 #include "analysis/signals/fit_quality.h"
 
-namespace fourpost {
+namespace fourpost::series_history_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -120,4 +120,4 @@ TEST(SeriesHistoryAtRest, HasNoForce) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::series_history_test

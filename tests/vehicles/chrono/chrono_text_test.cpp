@@ -17,7 +17,7 @@
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::chrono_text_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -377,4 +377,4 @@ TEST_F(ChronoText, WritesAsDrawnWhatFindsNoRest) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::chrono_text_test

@@ -13,7 +13,7 @@
 #include "vehicles/condensed/modes.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::half_car_test {
 namespace {
 
 void Lower(Point& point, int link, double by) {
@@ -214,4 +214,4 @@ TEST(HalfCar, AccelerationFollowsItsMatrices) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::half_car_test

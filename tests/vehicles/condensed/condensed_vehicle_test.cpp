@@ -15,7 +15,7 @@
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::condensed_vehicle_test {
 namespace {
 
 using testing::HasSubstr;
@@ -206,4 +206,4 @@ TEST(CondensedVehicle, NamesAMotionThatNothingHolds) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::condensed_vehicle_test

@@ -15,7 +15,7 @@
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::equilibrium_test {
 namespace {
 
 using testing::AllOf;
@@ -362,4 +362,4 @@ TEST(Equilibrium, LeavesOutWhatIsBalancedByItself) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::equilibrium_test

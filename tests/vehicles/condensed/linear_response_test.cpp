@@ -10,7 +10,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::linear_response_test {
 namespace {
 
 TEST(LinearResponse, OfTheQuarterCarIsTheClosedForm) {
@@ -59,4 +59,4 @@ TEST(LinearResponse, IsTheHarmonicBalanceOfLinearElements) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::linear_response_test

@@ -7,7 +7,7 @@
 #include "tests/vehicles/element_car.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::linear_vehicle_test {
 namespace {
 
 CondensedModel ModelOf(const Vehicle& vehicle) { return CondensedVehicle(vehicle).At(vehicle.ParameterValues()); }
@@ -38,4 +38,4 @@ TEST(LinearVehicle, StatesAndImpedanceAgree) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::linear_vehicle_test

@@ -11,7 +11,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::modes_test {
 namespace {
 
 using Kind = Mode::Kind;
@@ -96,4 +96,4 @@ TEST(Modes, AreAsManyAsThereAreCoordinates) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::modes_test

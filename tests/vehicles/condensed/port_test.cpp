@@ -13,7 +13,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::port_test {
 namespace {
 
 double RemainderAt(const PortLaw& law, double x, double v) {
@@ -245,4 +245,4 @@ TEST(Port, EveryElementThatIsNotLinearHasOne) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::port_test

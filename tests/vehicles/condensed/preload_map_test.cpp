@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::preload_map_test {
 namespace {
 
 /// Springs left and right, front and rear, under a body whose heave, roll and pitch they hold; up positive.
@@ -74,4 +74,4 @@ TEST(PreloadMap, MayHaveNothingToSet) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::preload_map_test

@@ -9,7 +9,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::receptance_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -112,4 +112,4 @@ TEST(Receptance, FactorisesWherePolesMeet) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::receptance_test

@@ -10,7 +10,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::reduced_bytes_test {
 namespace {
 
 /// All vehicles that lie in the repository.
@@ -147,4 +147,4 @@ TEST(ReducedBytes, OfAnythingElseAreRefused) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::reduced_bytes_test

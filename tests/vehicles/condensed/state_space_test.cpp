@@ -9,7 +9,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/linear_response.h"
 
-namespace fourpost {
+namespace fourpost::state_space_test {
 namespace {
 
 CondensedModel Model(const Vehicle& vehicle) { return CondensedVehicle(vehicle).At(vehicle.ParameterValues()); }
@@ -49,4 +49,4 @@ TEST(StateSpace, StartsWithWhatAnImpulseGives) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::state_space_test

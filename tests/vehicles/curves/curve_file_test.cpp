@@ -10,7 +10,7 @@
 #include "tests/vehicles/fault_case.h"
 #include "vehicles/curves/findings.h"
 
-namespace fourpost {
+namespace fourpost::curve_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -264,4 +264,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<CurveFault>& each) { return each.param.name; });
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::curve_file_test

@@ -9,7 +9,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/design_poses.h"
 
-namespace fourpost {
+namespace fourpost::added_mass_test {
 namespace {
 
 const Link& LinkCalled(const Vehicle& vehicle, const std::string& name) {
@@ -54,4 +54,4 @@ TEST(AddedMass, RefusesNoMass) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::added_mass_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::chassis_test {
 namespace {
 
 TEST(Chassis, IsTheHeaviestWithoutATyre) {
@@ -36,4 +36,4 @@ TEST(Chassis, CountsAxlesByTheirStations) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::chassis_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::mirror_partner_test {
 namespace {
 
 using testing::ElementsAre;
@@ -38,4 +38,4 @@ TEST(MirrorPartner, LeavesPartsOfWords) {
 TEST(MirrorPartner, IsNoneOfARight) { EXPECT_THAT(MirrorPartners("coil_right"), IsEmpty()); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mirror_partner_test

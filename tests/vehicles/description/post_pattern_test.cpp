@@ -9,7 +9,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/description/findings.h"
 
-namespace fourpost {
+namespace fourpost::post_pattern_test {
 namespace {
 
 using testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST(PostPattern, RefusesANameThatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::post_pattern_test

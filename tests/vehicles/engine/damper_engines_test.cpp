@@ -15,7 +15,7 @@
 #include "vehicles/response/march.h"
 #include "vehicles/simulation/multibody_system.h"
 
-namespace fourpost {
+namespace fourpost::damper_engines_test {
 namespace {
 
 constexpr int kDampers = 15;
@@ -25,7 +25,7 @@ constexpr double kStiffest = 1e6;
 class DamperEngines : public testing::TestWithParam<int> {
  protected:
   DamperEngines()
-      : vehicle_(QuarterCar(drawn_.elements)), model_(CondensedVehicle(vehicle_).At(vehicle_.ParameterValues())) {
+      : vehicle_(QuarterCarWith(drawn_.elements)), model_(CondensedVehicle(vehicle_).At(vehicle_.ParameterValues())) {
     multibody_.emplace(vehicle_);
     multibody_->SetParameters(vehicle_.ParameterValues(), model_.preloads);
   }
@@ -75,4 +75,4 @@ TEST_P(DamperEngines, AnswerAHistoryAlike) {
 INSTANTIATE_TEST_SUITE_P(Random, DamperEngines, testing::Range(0, kDampers));
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::damper_engines_test

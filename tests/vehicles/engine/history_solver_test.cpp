@@ -14,7 +14,7 @@
 #include "vehicles/posts/post_motions.h"
 #include "vehicles/simulation/multibody_system.h"
 
-namespace fourpost {
+namespace fourpost::history_solver_test {
 namespace {
 
 PostMotion Sine(double amplitude_m, std::size_t posts = 1) {
@@ -104,4 +104,4 @@ TEST(Engine, KnowsOlderNames) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_solver_test

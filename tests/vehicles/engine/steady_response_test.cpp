@@ -10,7 +10,7 @@
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/march.h"
 
-namespace fourpost {
+namespace fourpost::steady_response_test {
 namespace {
 
 using testing::AllOf;
@@ -202,4 +202,4 @@ TEST(KinematicsError, LeavesOutNodesSilenceAndWhatHasNoAnswer) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::steady_response_test

@@ -10,7 +10,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::dashpot_law_test {
 namespace {
 
 using testing::StrEq;
@@ -371,4 +371,4 @@ TEST(DashpotLaw, RefusesTablesThatAreNoLaw) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::dashpot_law_test

@@ -10,7 +10,7 @@
 
 #include "tests/vehicles/hydraulic_settings.h"
 
-namespace fourpost {
+namespace fourpost::hydraulic_cycle_test {
 namespace {
 
 /// One cycle of x = mean + X sin(w t) of peak speed V.
@@ -174,4 +174,4 @@ TEST(HydraulicCycle, HasNoneWhereAChamberCloses) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hydraulic_cycle_test

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::hydraulic_damper_test {
 namespace {
 
 using testing::StrEq;
@@ -274,4 +274,4 @@ TEST(HydraulicDamper, ValidatesItsNumbers) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hydraulic_damper_test

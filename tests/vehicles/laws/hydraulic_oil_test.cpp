@@ -7,7 +7,7 @@
 
 #include "tests/vehicles/hydraulic_settings.h"
 
-namespace fourpost {
+namespace fourpost::hydraulic_oil_test {
 namespace {
 
 /// A few states each, the last with vapour in the rebound chamber [m^3].
@@ -131,4 +131,4 @@ TEST(HydraulicOil, IsNanWhereAChamberCloses) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hydraulic_oil_test

@@ -9,7 +9,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::monotone_curve_test {
 namespace {
 
 using testing::StrEq;
@@ -174,4 +174,4 @@ TEST(MonotoneCurve, RefusesPointsThatAreNoCurve) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::monotone_curve_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::mounted_hydraulic_damper_test {
 namespace {
 
 constexpr double kExtension = 0.01;  // m
@@ -92,4 +92,4 @@ TEST(MountedHydraulicDamper, SoftensTheForceAndTakesPower) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mounted_hydraulic_damper_test

@@ -7,7 +7,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::series_damper_test {
 namespace {
 
 TEST(SeriesDamper, RelaxesWithItsTimeConstants) {
@@ -56,4 +56,4 @@ TEST(SeriesDamper, StiffSpringIsRigid) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::series_damper_test

@@ -9,7 +9,7 @@
 
 #include "tests/rounding.h"
 
-namespace fourpost {
+namespace fourpost::spring_law_test {
 namespace {
 
 using testing::StrEq;
@@ -141,4 +141,4 @@ TEST(SpringLaw, ValidatesItsNumbers) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::spring_law_test

@@ -5,7 +5,7 @@
 #include "tests/vehicles/lint/odd_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::motion_lint_test {
 namespace {
 
 TEST_F(VehicleLintTest, TellsWhatNothingHoldsInThePlane) {
@@ -72,4 +72,4 @@ TEST_F(VehicleLintTest, TellsOnceWhatATwinHasAsWell) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::motion_lint_test

@@ -8,7 +8,7 @@
 #include "vehicles/description/drawn_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::number_lint_test {
 namespace {
 
 using testing::ElementsAre;
@@ -23,7 +23,7 @@ TEST(VehicleLint, TellsOfATyreInNewtonsPerMetre) {
 }
 
 TEST(VehicleLint, TellsOfASpringInNewtonsPerMetre) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   Set(vehicle, "k", 15);
   EXPECT_THAT(Findings(vehicle, vehicle.springs[0].source_line),
               ElementsAre(IsFinding(kNumberUnusual,
@@ -40,7 +40,7 @@ TEST(VehicleLint, TellsOfADamperInKilonewtons) {
 }
 
 TEST(VehicleLint, TellsOfATyreDampedInKilonewtons) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.tyres[0].damping = {.value = 150e3};
   EXPECT_THAT(
       Findings(vehicle, vehicle.tyres[0].source_line),
@@ -48,17 +48,17 @@ TEST(VehicleLint, TellsOfATyreDampedInKilonewtons) {
 }
 
 TEST(VehicleLint, TellsOfMasses) {
-  Vehicle light = QuarterCar();
+  Vehicle light = ShippedQuarterCar();
   Set(light, "m_unsprung", 22e-5);
   EXPECT_THAT(Findings(light, light.links[1].line), ElementsAre(IsFinding(kNumberUnusual, {"220 g"})));
-  Vehicle heavy = QuarterCar();
+  Vehicle heavy = ShippedQuarterCar();
   Set(heavy, "m_sprung", 2e5);
   EXPECT_THAT(Findings(heavy, heavy.links[2].line),
               ElementsAre(IsFinding(kNumberUnusual, {"mass", "link 'sprung'", "200000 kg", "1 g", "100 t", "200 kg"})));
 }
 
 TEST(VehicleLint, TellsOfABushingAsStiffAsARock) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.bushings.push_back({.name = "mount", .parent = {2, {0, 0, 0}}, .child = {1, {0, 0, 0.4}}, .source_line = 7});
   vehicle.bushings[0].stiffness[1].value = 0.9e9;
   EXPECT_THAT(Findings(vehicle, 7), IsEmpty());
@@ -68,7 +68,7 @@ TEST(VehicleLint, TellsOfABushingAsStiffAsARock) {
 }
 
 TEST(VehicleLint, TellsOfATyresRadius) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.tyres[0].radius = 2.5;
   vehicle.tyres[0].point.xyz.z() = 2.2;
   EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
@@ -76,21 +76,21 @@ TEST(VehicleLint, TellsOfATyresRadius) {
 }
 
 TEST(VehicleLint, TellsOfMillimetres) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.dampers[0].line.parent.xyz.y() = 350;
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
               ElementsAre(IsFinding(kPlaceInMillimetres, {"parent's end", "fp:damper 'damper'", "350 m", "350 mm"})));
 }
 
 TEST(VehicleLint, TellsOfAJointsOriginInMillimetres) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.joints[1].pose.translation().y() = 700;
   EXPECT_THAT(Findings(vehicle, vehicle.joints[1].line),
               ElementsAre(IsFinding(kPlaceInMillimetres, {"joint 'body_travel'", "700 m"})));
 }
 
 Spring Stop(double bump_m, double rebound_m) {
-  Spring stop = QuarterCar().springs[0];
+  Spring stop = ShippedQuarterCar().springs[0];
   stop.kind = Spring::Kind::kStop;
   stop.name = "stop";
   stop.preload = Scalar();
@@ -102,7 +102,7 @@ Spring Stop(double bump_m, double rebound_m) {
 }
 
 TEST(VehicleLint, TellsOfAStopWithoutGaps) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.springs.push_back(Stop(0, 0));
   EXPECT_THAT(Findings(vehicle, vehicle.springs[1].source_line),
               ElementsAre(IsFinding(kStopWithoutGap, {"fp:stop 'stop'"})));
@@ -111,7 +111,7 @@ TEST(VehicleLint, TellsOfAStopWithoutGaps) {
 }
 
 TEST(VehicleLint, TellsOfSwappedDamping) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   Set(vehicle, "c_rebound", 200);
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
               ElementsAre(IsFinding(kDampingSwapped, {"fp:damper 'damper'", "1.5 kN*s/m", "200 N*s/m"})));
@@ -263,7 +263,7 @@ const std::vector<OddNumber> kOddNumbers = {
 class OddNumbers : public testing::TestWithParam<OddNumber> {};
 
 TEST_P(OddNumbers, AreTold) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.springs.push_back(Stop(0.03, 0.05));
   EXPECT_EQ(LintDescription(vehicle).Format(), "");
   GetParam().change(vehicle);
@@ -274,7 +274,7 @@ INSTANTIATE_TEST_SUITE_P(All, OddNumbers, testing::ValuesIn(kOddNumbers),
                          [](const auto& test) { return test.param.name; });
 
 TEST(VehicleLint, TakesOilAndMeasuredCurvesForUsual) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.dampers[0].law = MeasuredCurve(0.5);
   EXPECT_EQ(LintDescription(vehicle).Format(), "");
   vehicle.dampers[0].hydraulic = Oil();
@@ -295,7 +295,7 @@ TEST(VehicleLint, TellsOfAStopThatNothingCanReach) {
 }
 
 TEST(VehicleLint, TellsOfAPistonThatMeetsItsEndBeforeTheStop) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.springs.push_back(Stop(0.03, 0.05));
   vehicle.dampers[0].hydraulic = Oil();
   vehicle.dampers[0].hydraulic->rebound_column = Fixed(0.04);
@@ -305,7 +305,7 @@ TEST(VehicleLint, TellsOfAPistonThatMeetsItsEndBeforeTheStop) {
 }
 
 TEST(VehicleLint, TellsOfSwappedDampingInATable) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.dampers[0].law = MeasuredCurve(0.1);
   vehicle.dampers[0].law.table[0].force = Fixed(-8 * 1500);
   vehicle.parameters.resize(4);  // all but the damper's
@@ -314,7 +314,7 @@ TEST(VehicleLint, TellsOfSwappedDampingInATable) {
 }
 
 TEST(VehicleLint, TellsOfSwappedDampingInAHydraulicDamper) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.dampers[0].hydraulic = Oil();
   std::swap(vehicle.dampers[0].hydraulic->rebound_valve, vehicle.dampers[0].hydraulic->compression_valve);
   vehicle.dampers[0].hydraulic->bleed = Fixed(1e-5);
@@ -345,7 +345,7 @@ TEST_F(VehicleLintTest, TellsOfCubicTermsThatOutdoTheLinearOnes) {
 }
 
 TEST(VehicleLint, TellsOfASeriesSpringAsStiffAsARock) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.dampers[0].series = SpringDescription{.stiffness = {.value = 400e6}, .cubic = {}, .knees = {}};
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
               ElementsAre(IsFinding(kNumberUnusual, {"series stiffness", "fp:damper 'damper'", "400 MN/m", "10 kN/m",
@@ -354,7 +354,7 @@ TEST(VehicleLint, TellsOfASeriesSpringAsStiffAsARock) {
 
 // A bench finds 500 N/mm and 20 kN/mm^3: at 1 mm 500 N and 20 kN.
 TEST(VehicleLint, TakesAHardeningSeriesSpringForUsual) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   SpringDescription series{.stiffness = {.value = 500e3}, .cubic = {.value = 2e13}, .knees = {}};
   vehicle.dampers[0].series = series;
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line), IsEmpty());
@@ -365,7 +365,7 @@ TEST(VehicleLint, TakesAHardeningSeriesSpringForUsual) {
 }
 
 TEST(VehicleLint, TakesFrictionForDamping) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.dampers[0].law = {};
   vehicle.dampers[0].law.friction = {.force = {.value = 90}, .speed = {.value = 0.002}};
   vehicle.parameters.resize(4);  // all but the damper's
@@ -373,4 +373,4 @@ TEST(VehicleLint, TakesFrictionForDamping) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::number_lint_test

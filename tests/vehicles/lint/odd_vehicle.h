@@ -111,11 +111,11 @@ inline std::vector<Diagnostic> Findings(const Vehicle& vehicle, int line) {
   return findings.items();
 }
 
-inline Vehicle QuarterCar() { return ShippedVehicle("quarter_car"); }
+inline Vehicle ShippedQuarterCar() { return ShippedVehicle("quarter_car"); }
 
 /// With a tyre that damps whatever else does not.
 inline Vehicle DampedQuarterCar() {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.tyres[0].damping = {.value = 500};
   return vehicle;
 }

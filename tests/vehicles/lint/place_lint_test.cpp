@@ -7,7 +7,7 @@
 #include "tests/vehicles/lint/odd_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::place_lint_test {
 namespace {
 
 using testing::ElementsAre;
@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 // The body's mesh and its coil's end reach up to 0.2 m.
 TEST(VehicleLint, TellsOfASensorOffItsBody) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.sensors[0].point.xyz = {0, 0, 0.75};
   EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
               ElementsAre(IsFinding(kSensorOffBody, {"fp:sensor 'a_sprung'", "link 'sprung'", "550 mm"})));
@@ -33,7 +33,7 @@ TEST(VehicleLint, TellsOfASensorOfOneAxleBesideTheOther) {
 }
 
 TEST(VehicleLint, TellsOfASensorThatReadsNothing) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.sensors[0].point.link = 0;
   EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
               ElementsAre(IsFinding(kSensorBlind, {"fp:sensor 'a_sprung'"})));
@@ -43,7 +43,7 @@ TEST(VehicleLint, TellsOfASensorThatReadsNothing) {
 }
 
 TEST(VehicleLint, TellsOfAnInertiaThatNoBodyOfThisSizeHas) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   for (const std::size_t i : {1, 2}) vehicle.links[1].inertia[i].value = 22;  // 1 m about
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
   for (const std::size_t i : {1, 2}) vehicle.links[1].inertia[i].value = 550;
@@ -52,7 +52,7 @@ TEST(VehicleLint, TellsOfAnInertiaThatNoBodyOfThisSizeHas) {
 }
 
 TEST(VehicleLint, TellsOfATyreAboveItsPlatform) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.tyres[0].radius = 0.3;
   vehicle.tyres[0].point.xyz.z() = 0.015;
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
@@ -62,7 +62,7 @@ TEST(VehicleLint, TellsOfATyreAboveItsPlatform) {
 }
 
 TEST(VehicleLint, TellsOfATyreBelowItsPlatform) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.tyres[0].point.xyz.z() = -0.6;
   EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line), ElementsAre(IsFinding(kTyreHeight, {"-300 mm"})));
 }
@@ -80,7 +80,7 @@ TEST(VehicleLint, TellsOfLengths) {
 }
 
 TEST(VehicleLint, TellsThatThereIsNoPost) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.posts.clear();
   EXPECT_THAT(Findings(vehicle, 0), ElementsAre(IsFinding(kPostsNone)));
 }
@@ -92,10 +92,10 @@ TEST_F(VehicleLintTest, TellsOfATyreWithoutAPost) {
 }
 
 TEST(VehicleLint, TellsThatThereIsNoSensor) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.sensors.clear();
   EXPECT_THAT(Findings(vehicle, 0), ElementsAre(IsFinding(kSensorsNone)));
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::place_lint_test

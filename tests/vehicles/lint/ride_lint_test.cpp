@@ -9,7 +9,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::ride_lint_test {
 namespace {
 
 using testing::AnyOf;
@@ -54,4 +54,4 @@ TEST(RideLint, NamesTheMotionThatGrows) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::ride_lint_test

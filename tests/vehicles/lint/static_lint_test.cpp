@@ -5,7 +5,7 @@
 #include "tests/vehicles/lint/odd_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::static_lint_test {
 namespace {
 
 using testing::ElementsAre;
@@ -24,13 +24,13 @@ TEST_F(VehicleLintTest, TellsOfSpringsAndTyresThatArePulled) {
 }
 
 TEST(VehicleLint, TellsOfAnAxisThatPointsTheWrongWay) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.springs[0].line.axis = -Eigen::Vector3d::UnitZ();
   EXPECT_THAT(Findings(vehicle, vehicle.springs[0].source_line), ElementsAre(IsFinding(kSpringPulled, {"axis"})));
 }
 
 TEST(VehicleLint, TellsWhatElseCarriesTheWeight) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   Spring prop = vehicle.springs[0];
   prop.name = "prop";
   prop.line.child = {0, {0, 0, 0}};
@@ -40,7 +40,7 @@ TEST(VehicleLint, TellsWhatElseCarriesTheWeight) {
 
 // A trailing arm hinged on the ground, its tyre half way between hinge and coil.
 TEST(VehicleLint, TellsOfAJointThatCarriesTheWeight) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = ShippedQuarterCar();
   vehicle.joints[0].type = Joint::Type::kRevolute;
   vehicle.joints[0].axis = Eigen::Vector3d::UnitY();
   vehicle.joints[0].pose.translation().x() = -1;
@@ -55,4 +55,4 @@ TEST(VehicleLint, TellsOfAJointThatCarriesTheWeight) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::static_lint_test

@@ -5,7 +5,7 @@
 #include "tests/vehicles/lint/odd_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::symmetry_lint_test {
 namespace {
 
 TEST_F(VehicleLintTest, TellsOfPointsThatAreNearlyMirrored) {
@@ -93,4 +93,4 @@ TEST_F(VehicleLintTest, TellsOfABarWithBothLinesOnOneSide) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::symmetry_lint_test

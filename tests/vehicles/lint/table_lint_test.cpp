@@ -5,7 +5,7 @@
 #include "tests/vehicles/lint/odd_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::table_lint_test {
 namespace {
 
 const std::string kLinear =
@@ -45,4 +45,4 @@ TEST_F(VehicleLintTest, TellsOfDampersWithAForceAtRest) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::table_lint_test

@@ -7,7 +7,7 @@
 #include "tests/vehicles/lint/odd_vehicle.h"
 #include "vehicles/lint/findings.h"
 
-namespace fourpost {
+namespace fourpost::vehicle_lint_test {
 namespace {
 
 TEST(VehicleLint, FindsNothingInTheShippedVehicles) {
@@ -47,4 +47,4 @@ TEST_F(VehicleLintTest, LeavesParametersOfCurvedLawsAlone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_lint_test

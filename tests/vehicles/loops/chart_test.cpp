@@ -9,7 +9,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/multibody/kinematics.h"
 
-namespace fourpost {
+namespace fourpost::chart_test {
 namespace {
 
 using testing::HasSubstr;
@@ -152,4 +152,4 @@ TEST(Chart, TellsThatTheLoopsLockTheVehicle) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::chart_test

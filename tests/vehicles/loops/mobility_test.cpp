@@ -7,7 +7,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/loops/findings.h"
 
-namespace fourpost {
+namespace fourpost::mobility_test {
 namespace {
 
 using testing::AllOf;
@@ -369,4 +369,4 @@ TEST_F(MobilityTest, TellsOfALockOfHigherOrder) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mobility_test

@@ -9,7 +9,7 @@
 #include "vehicles/multibody/simbody_bodies.h"
 #include "vehicles/multibody/tyre_foot.h"
 
-namespace fourpost {
+namespace fourpost::body_forces_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -303,4 +303,4 @@ TEST_F(TyreForceTest, WithoutStiffnessPushesWithItsPreloadAtAnyHeight) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::body_forces_test

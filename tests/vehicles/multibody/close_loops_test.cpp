@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::close_loops_test {
 namespace {
 
 /// Equations of one unknown.
@@ -69,4 +69,4 @@ TEST(CloseLoops, TakesTheNearestOfManySolutions) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::close_loops_test

@@ -17,7 +17,7 @@
 #include "vehicles/simulation/condensed_system.h"
 #include "vehicles/simulation/time_history.h"
 
-namespace fourpost {
+namespace fourpost::element_car_test {
 namespace {
 
 using Eigen::Index;
@@ -375,4 +375,4 @@ TEST(ElementCar, HasTheSameForwardAndInverseDynamics) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::element_car_test

@@ -14,7 +14,7 @@
 #include "vehicles/multibody/kinematics.h"
 #include "vehicles/multibody/multibody.h"
 
-namespace fourpost {
+namespace fourpost::free_car_test {
 namespace {
 
 using Eigen::Index;
@@ -197,4 +197,4 @@ TEST(FreeCar, KeepsItsMomentaAndItsEnergyButForWhatItsDampersTake) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::free_car_test

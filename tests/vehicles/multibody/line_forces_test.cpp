@@ -5,7 +5,7 @@
 
 #include "tests/vehicles/force_checker.h"
 
-namespace fourpost {
+namespace fourpost::line_forces_test {
 namespace {
 
 using SimTK::State;
@@ -348,4 +348,4 @@ TEST(LineForces, VanishAtRestInTheDesignPoseWithoutPreload) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::line_forces_test

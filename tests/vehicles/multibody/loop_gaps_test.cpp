@@ -14,7 +14,7 @@
 #include "vehicles/lint/findings.h"
 #include "vehicles/multibody/findings.h"
 
-namespace fourpost {
+namespace fourpost::loop_gaps_test {
 namespace {
 
 using testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST(LoopGaps, AreNotEmpty) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::loop_gaps_test

@@ -13,7 +13,7 @@
 #include "vehicles/loops/chart.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::mechanisms_test {
 namespace {
 
 using Eigen::Index;
@@ -142,4 +142,4 @@ TEST(Balls, AreTheLimitOfStiffBushings) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mechanisms_test

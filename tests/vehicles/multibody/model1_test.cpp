@@ -9,7 +9,7 @@
 #include "tests/vehicles/closed_form.h"
 #include "vehicles/closed_form/half_car.h"
 
-namespace fourpost {
+namespace fourpost::model1_test {
 namespace {
 
 constexpr int kVehicles = 20;
@@ -34,10 +34,10 @@ HalfCar HalfCarOf(const Vehicle& vehicle) {
 
 ClosedForm ClosedFormOf(const Vehicle& vehicle) {
   const HalfCar car = HalfCarOf(vehicle);
-  return {
-      .model = car.Model(),
-      .acceleration = [car](const Motion& motion) { return car.Acceleration(motion.q, motion.rate, motion.ground); },
-      .to_joints = JointOrder(vehicle, {"body_heave", "body_pitch", "front_travel", "rear_travel"})};
+  return {.model = car.Model(),
+          .acceleration =
+              [car](const MotionState& motion) { return car.Acceleration(motion.q, motion.rate, motion.ground); },
+          .to_joints = JointOrder(vehicle, {"body_heave", "body_pitch", "front_travel", "rear_travel"})};
 }
 
 TEST(Model1, CondensesToTheClosedForm) {
@@ -54,7 +54,7 @@ TEST(Model1, AcceleratesAsTheClosedFormWhereItIsLevel) {
   for (int i = 0; i < kVehicles; ++i) {
     const Vehicle vehicle = draw.Parameters(Model1());
     Multibody multibody = Resting(vehicle);
-    Motion motion = draw.SmallMotion(4, 2);
+    MotionState motion = draw.SmallMotion(4, 2);
     motion.q[1] = 0;
     ExpectSameAcceleration(multibody, ClosedFormOf(vehicle), motion);
   }
@@ -107,4 +107,4 @@ TEST(Model1, HasTheParametersSensorsAndPostsOfTheLinkageCar) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::model1_test

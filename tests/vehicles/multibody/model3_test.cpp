@@ -11,7 +11,7 @@
 #include "tests/closed_form/full_car.h"
 #include "tests/vehicles/closed_form.h"
 
-namespace fourpost {
+namespace fourpost::model3_test {
 namespace {
 
 constexpr int kVehicles = 20;
@@ -69,10 +69,10 @@ Eigen::MatrixXd ToJoints(const Vehicle& vehicle, const FullCar& car) {
 
 ClosedForm ClosedFormOf(const Vehicle& vehicle) {
   const FullCar car = FullCarOf(vehicle);
-  return {
-      .model = car.Model(),
-      .acceleration = [car](const Motion& motion) { return car.Acceleration(motion.q, motion.rate, motion.ground); },
-      .to_joints = ToJoints(vehicle, car)};
+  return {.model = car.Model(),
+          .acceleration =
+              [car](const MotionState& motion) { return car.Acceleration(motion.q, motion.rate, motion.ground); },
+          .to_joints = ToJoints(vehicle, car)};
 }
 
 TEST(Model3, CondensesToTheClosedForm) {
@@ -89,7 +89,7 @@ TEST(Model3, AcceleratesAsTheClosedFormWhereItIsLevel) {
   for (int i = 0; i < kVehicles; ++i) {
     const Vehicle vehicle = Drawn(draw);
     Multibody multibody = Resting(vehicle);
-    Motion motion = draw.SmallMotion(7, 4);
+    MotionState motion = draw.SmallMotion(7, 4);
     for (const int angle : {1, 2, 4, 6}) motion.q[angle] = 0;
     ExpectSameAcceleration(multibody, ClosedFormOf(vehicle), motion);
   }
@@ -184,4 +184,4 @@ TEST(Model3, SensorsCarryTheNamesOfTheRecordedChannels) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::model3_test

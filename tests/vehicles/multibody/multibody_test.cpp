@@ -12,7 +12,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/multibody/findings.h"
 
-namespace fourpost {
+namespace fourpost::multibody_test {
 namespace {
 
 using testing::HasSubstr;
@@ -225,4 +225,4 @@ TEST(Multibody, ClosesALoopFromAPoseThatIsOpen) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::multibody_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::small_turn_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -41,4 +41,4 @@ TEST(SmallTurn, HasTheRateOfAnAngularVelocityInTheAxesThatStand) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::small_turn_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-namespace fourpost {
+namespace fourpost::tyre_foot_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -64,4 +64,4 @@ TEST(TyreFoot, IsThePointItselfWithoutRadius) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::tyre_foot_test

@@ -15,7 +15,7 @@
 #include "vehicles/loops/chart.h"
 #include "vehicles/multibody/multibody.h"
 
-namespace fourpost {
+namespace fourpost::welds_and_hinges_test {
 namespace {
 
 using Eigen::Index;
@@ -98,4 +98,4 @@ TEST(WeldsAndHinges, MoveAsJointsOfTheTree) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::welds_and_hinges_test

@@ -13,7 +13,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::axle_kinematics_test {
 namespace {
 
 using axle_cars::Vec;
@@ -405,4 +405,4 @@ TEST(AxleKinematics, ReachesToTheStops) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::axle_kinematics_test

@@ -12,7 +12,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/description/gravity.h"
 
-namespace fourpost {
+namespace fourpost::settled_pose_test {
 namespace {
 
 // Newton's method closes loops to 1e-12 of metres.
@@ -124,4 +124,4 @@ TEST(SettledPose, IsNoneWhereNothingHolds) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::settled_pose_test

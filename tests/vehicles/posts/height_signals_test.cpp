@@ -9,7 +9,7 @@
 #include "tests/vehicles/posts/consistent_motion.h"
 #include "vehicles/posts/post_motions.h"
 
-namespace fourpost {
+namespace fourpost::height_signals_test {
 namespace {
 
 using std::numbers::pi;
@@ -141,4 +141,4 @@ TEST(HeightSignals, HaveVelocitiesAndAccelerationsOfTheirHeights) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::height_signals_test

@@ -6,7 +6,7 @@
 
 #include "vehicles/posts/height_signals.h"
 
-namespace fourpost {
+namespace fourpost::post_motions_test {
 namespace {
 
 UniformSpline Step() { return SmoothStep{.height_m = 0.02, .rise_s = 0.1, .start_s = 1}.Signal(); }
@@ -41,4 +41,4 @@ TEST(PostMotions, TellHowFarEachPostGoes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::post_motions_test

@@ -15,7 +15,7 @@
 #include "tests/vehicles/posts/consistent_motion.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::recorded_posts_test {
 namespace {
 
 /// Post of the quarter car at 2 Hz, 5 mm about 3 mm, sampled at 200 Hz from 10 s on.
@@ -124,4 +124,4 @@ TEST_F(Recorded, NamesRecordsThatAreTooShort) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::recorded_posts_test

@@ -10,7 +10,7 @@
 #include "tests/vehicles/posts/consistent_motion.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::road_test {
 namespace {
 
 RandomRoad ClassB() { return {.roughness_m3 = RoadRoughness("B").value(), .speed = 20, .duration_s = 120, .seed = 3}; }
@@ -116,4 +116,4 @@ TEST(Road, IsThatOfItsSeedAndRefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::road_test

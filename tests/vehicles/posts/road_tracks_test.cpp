@@ -6,7 +6,7 @@
 
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::road_tracks_test {
 namespace {
 
 TEST(RoadTracks, OfACarAreLeftAndRight) {
@@ -42,4 +42,4 @@ TEST(RoadTracks, DensityIsThatOfTheClass) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::road_tracks_test

@@ -18,7 +18,7 @@
 #include "vehicles/posts/post_motions.h"
 #include "vehicles/simulation/time_history.h"
 
-namespace fourpost {
+namespace fourpost::random_vehicle_test {
 namespace {
 
 using std::numbers::pi;
@@ -120,4 +120,4 @@ TEST(RandomVehicle, RefusesOtherPostsAndFrequencies) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::random_vehicle_test

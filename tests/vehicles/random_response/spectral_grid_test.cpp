@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::spectral_grid_test {
 namespace {
 
 double Integral(const SpectralGrid& grid, const std::function<double(double)>& density) {
@@ -46,4 +46,4 @@ TEST(SpectralGrid, IsFinerByItsRefinement) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::spectral_grid_test

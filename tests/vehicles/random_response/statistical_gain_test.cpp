@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::statistical_gain_test {
 namespace {
 
 using std::numbers::pi;
@@ -103,4 +103,4 @@ TEST(StatisticalGain, LiftingForceHasTheMomentsOfItsDistribution) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::statistical_gain_test

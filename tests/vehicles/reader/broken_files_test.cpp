@@ -13,7 +13,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::broken_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,4 +95,4 @@ INSTANTIATE_TEST_SUITE_P(All, BrokenFiles, ::testing::ValuesIn(FileNames()),
 TEST(BrokenFilesFolder, IsNotDepleted) { EXPECT_GE(FileNames().size(), 257U); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::broken_files_test

@@ -7,7 +7,7 @@
 #include "tests/vehicles/element_car.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::damper_text_test {
 namespace {
 
 using testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(DamperText, RefusesAWrongNumberOfValues) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::damper_text_test

@@ -11,7 +11,7 @@
 #include "vehicles/description/gravity.h"
 #include "vehicles/multibody/multibody.h"
 
-namespace fourpost {
+namespace fourpost::drake_forces_test {
 namespace {
 
 using Eigen::Index;
@@ -135,4 +135,4 @@ TEST(DrakeForces, BushingResistsATurnAboutEachOfItsAxes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::drake_forces_test

@@ -7,7 +7,7 @@
 #include "vehicles/tags/findings.h"
 #include "vehicles/tags/tag.h"
 
-namespace fourpost {
+namespace fourpost::drake_tags_test {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -243,4 +243,4 @@ TEST_F(DrakeTags, AreCheckedAsOurs) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::drake_tags_test

@@ -12,7 +12,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::element_faults_test {
 namespace {
 
 class ElementFaults : public VehicleFileTest, public ::testing::WithParamInterface<FaultCase> {
@@ -449,4 +449,4 @@ TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::element_faults_test

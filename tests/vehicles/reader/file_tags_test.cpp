@@ -13,7 +13,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::file_tags_test {
 namespace {
 
 using testing::HasSubstr;
@@ -225,4 +225,4 @@ TEST_F(FileTags, ReportFaultsOfTheFile) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::file_tags_test

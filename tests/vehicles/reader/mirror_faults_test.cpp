@@ -8,7 +8,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::mirror_faults_test {
 namespace {
 
 class MirrorFaults : public VehicleFileTest {
@@ -60,4 +60,4 @@ TEST_F(MirrorFaults, AreToldOnceForTheOneThatIsWritten) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mirror_faults_test

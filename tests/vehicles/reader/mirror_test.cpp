@@ -9,7 +9,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/tags/tag.h"
 
-namespace fourpost {
+namespace fourpost::mirror_test {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -192,4 +192,4 @@ TEST_F(MirrorTags, DoesNotMirrorTwins) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mirror_test

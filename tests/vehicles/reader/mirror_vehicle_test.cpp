@@ -13,7 +13,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::mirror_vehicle_test {
 namespace {
 
 std::string NameOf(const Spring& spring) { return spring.Element(); }
@@ -208,4 +208,4 @@ TEST_F(MirrorVehicle, TakesAWrittenTwin) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mirror_vehicle_test

@@ -12,7 +12,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/tags/tag.h"
 
-namespace fourpost {
+namespace fourpost::resolved_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -122,4 +122,4 @@ TEST_F(Resolved, NamesMeshesFromItsFolder) {
 TEST_F(Resolved, NeedsAVehicleThatWasRead) { EXPECT_THROW(ResolvedText(Vehicle(), folder_), std::invalid_argument); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::resolved_text_test

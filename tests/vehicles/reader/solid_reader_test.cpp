@@ -10,7 +10,7 @@
 #include "vehicles/shapes/findings.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::solid_reader_test {
 namespace {
 
 const std::filesystem::path kBlocks = std::filesystem::path(FOURPOST_SOURCE_DIR) / "tests" / "data" / "meshes";
@@ -216,4 +216,4 @@ TEST_F(SolidTag, NeedsItsMeshes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::solid_reader_test

@@ -3,7 +3,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::vehicle_faults_test {
 namespace {
 
 class VehicleFaults : public VehicleFileTest, public ::testing::WithParamInterface<FaultCase> {};
@@ -230,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(
     CaseName);
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_faults_test

@@ -8,7 +8,7 @@
 #include "vehicles/tags/findings.h"
 #include "vehicles/tags/tag_table.h"
 
-namespace fourpost {
+namespace fourpost::vehicle_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -193,4 +193,4 @@ TEST(TagTable, DescribesEveryTagAndAttribute) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_file_test

@@ -4,7 +4,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/tags/xml_scanner.h"
 
-namespace fourpost {
+namespace fourpost::vehicle_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -144,4 +144,4 @@ TEST_F(VehicleText, NeedsAVehicleThatWasRead) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_text_test

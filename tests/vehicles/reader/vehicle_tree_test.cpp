@@ -3,7 +3,7 @@
 #include "vehicles/reader/findings.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::vehicle_tree_test {
 namespace {
 
 const std::string kRobot = "<robot name=\"r\">\n";
@@ -211,4 +211,4 @@ TEST_F(VehicleTree, TurnsInertiaIntoLinkAxes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_tree_test

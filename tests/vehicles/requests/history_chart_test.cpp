@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <tinyxml2.h>
 
-namespace fourpost {
+namespace fourpost::history_chart_test {
 namespace {
 
 using testing::HasSubstr;
@@ -43,4 +43,4 @@ TEST(HistoryChart, RefusesNothing) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_chart_test

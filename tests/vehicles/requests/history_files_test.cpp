@@ -7,7 +7,7 @@
 
 #include "vehicles/requests/findings.h"
 
-namespace fourpost {
+namespace fourpost::history_files_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -62,4 +62,4 @@ TEST(HistoryFiles, TellHowLargeChannelsAreAndWhatIsKnownOfTheError) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_files_test

@@ -5,7 +5,7 @@
 #include "tests/findings.h"
 #include "vehicles/requests/findings.h"
 
-namespace fourpost {
+namespace fourpost::option_quantity_test {
 namespace {
 
 class OptionQuantity : public testing::Test {
@@ -65,4 +65,4 @@ TEST_F(OptionQuantity, OfARangeIsTwoFrequencies) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::option_quantity_test

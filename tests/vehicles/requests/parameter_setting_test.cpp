@@ -6,7 +6,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/requests/findings.h"
 
-namespace fourpost {
+namespace fourpost::parameter_setting_test {
 namespace {
 
 using testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST_F(ParameterSetting, RefusesWhatIsGivenTwice) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::parameter_setting_test

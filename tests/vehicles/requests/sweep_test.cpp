@@ -12,7 +12,7 @@
 #include "vehicles/requests/sweep_files.h"
 #include "vehicles/response/findings.h"
 
-namespace fourpost {
+namespace fourpost::sweep_test {
 namespace {
 
 using testing::DoubleNear;
@@ -165,4 +165,4 @@ TEST(SweptResponse, IsAPictureWithoutWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::sweep_test

@@ -19,7 +19,7 @@
 #include "tests/vehicles/simulation/written_out_cars.h"
 #include "vehicles/simulation/multibody_system.h"
 
-namespace fourpost {
+namespace fourpost::acceptance_test {
 namespace {
 
 using testing::IsEmpty;
@@ -196,4 +196,4 @@ TEST(AcceptanceOfWrittenOutEquations, BalanceOfTheHalfCarIsAnotherIntegrators) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::acceptance_test

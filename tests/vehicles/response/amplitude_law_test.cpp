@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::amplitude_law_test {
 namespace {
 
 TEST(AmplitudeLaw, TheLeastLimitCounts) {
@@ -17,4 +17,4 @@ TEST(AmplitudeLaw, TheLeastLimitCounts) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::amplitude_law_test

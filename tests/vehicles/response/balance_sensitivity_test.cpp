@@ -12,7 +12,7 @@
 
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::balance_sensitivity_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -283,4 +283,4 @@ TEST(BalanceSensitivity, RefusesAParameterThatIsNone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::balance_sensitivity_test

@@ -13,7 +13,7 @@
 #include "vehicles/response/balance_sensitivity.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::contact_cycle_test {
 namespace {
 
 Vehicle WithTyres(Vehicle vehicle, bool lift_off) {
@@ -120,4 +120,4 @@ TEST_P(ContactOfTyres, IsSureOnlyWhereNoTyrePulls) {
 INSTANTIATE_TEST_SUITE_P(Vehicles, ContactOfTyres, testing::Values("quarter_car", "landrover110_linkage"));
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::contact_cycle_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::cycle_transform_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -72,4 +72,4 @@ TEST(CycleTransform, RefusesSamplesThatCannotHoldTheHarmonics) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::cycle_transform_test

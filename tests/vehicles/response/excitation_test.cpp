@@ -11,7 +11,7 @@
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/march.h"
 
-namespace fourpost {
+namespace fourpost::excitation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -89,4 +89,4 @@ TEST(Excitation, BalanceNeedsTheModelsSensors) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::excitation_test

@@ -9,7 +9,7 @@
 #include "tests/vehicles/quarter_cars.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::friction_lock_test {
 namespace {
 
 using testing::IsEmpty;
@@ -91,4 +91,4 @@ TEST(FrictionLock, OfAHistoryLeavesOutWhatTheMotionDoesNotReach) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::friction_lock_test

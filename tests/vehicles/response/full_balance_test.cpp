@@ -13,7 +13,7 @@
 #include "tests/vehicles/recorded_rig.h"
 #include "vehicles/description/post_pattern.h"
 
-namespace fourpost {
+namespace fourpost::full_balance_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -239,4 +239,4 @@ TEST(FullBalance, NamesTheOptionThatIsOutOfBounds) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::full_balance_test

@@ -11,7 +11,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/linearised_cycle.h"
 
-namespace fourpost {
+namespace fourpost::harmonic_balance_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -352,4 +352,4 @@ TEST(HarmonicBalance, RefusesTooFewHarmonics) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::harmonic_balance_test

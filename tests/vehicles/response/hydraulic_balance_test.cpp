@@ -16,7 +16,7 @@
 #include "vehicles/condensed/modes.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::hydraulic_balance_test {
 namespace {
 
 /// What the march's windows repeat within, and what harmonics and steps leave.
@@ -160,4 +160,4 @@ TEST(HydraulicBalance, LinearModelHasThePolesOfSimbody) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hydraulic_balance_test

@@ -9,7 +9,7 @@
 #include "tests/vehicles/resting.h"
 #include "tests/vehicles/vehicle_parts.h"
 
-namespace fourpost {
+namespace fourpost::hydraulic_motion_test {
 namespace {
 
 using Eigen::Index;
@@ -75,4 +75,4 @@ TEST(HydraulicDamper, MovesABodyByItsOwnEquations) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hydraulic_motion_test

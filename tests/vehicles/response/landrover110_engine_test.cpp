@@ -16,7 +16,7 @@
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::landrover110_engine_test {
 namespace {
 
 const char* const kCar = "landrover110_engine";
@@ -121,4 +121,4 @@ TEST(Landrover110Engine, BodyRollsLessInWarpThanInRoll) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::landrover110_engine_test

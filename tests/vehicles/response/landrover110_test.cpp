@@ -18,7 +18,7 @@
 #include "vehicles/description/gravity.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::landrover110_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -291,4 +291,4 @@ TEST(Landrover110, PanhardRodShiftsTheRigidFrontAxleOnItsCircle) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::landrover110_test

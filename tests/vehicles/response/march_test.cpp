@@ -19,7 +19,7 @@
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/harmonic_balance.h"
 
-namespace fourpost {
+namespace fourpost::march_test {
 namespace {
 
 using testing::HasSubstr;
@@ -189,4 +189,4 @@ TEST(March, ReportsEachFrequency) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::march_test

@@ -8,7 +8,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/response/contact_cycle.h"
 
-namespace fourpost {
+namespace fourpost::needed_force_test {
 namespace {
 
 CondensedModel ModelOf(const Vehicle& vehicle) { return CondensedVehicle(vehicle).At(vehicle.ParameterValues()); }
@@ -145,4 +145,4 @@ TEST(NeededForce, TakesNoStartOfOtherPorts) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::needed_force_test

@@ -9,7 +9,7 @@
 #include "tests/vehicles/quarter_cars.h"
 #include "vehicles/response/findings.h"
 
-namespace fourpost {
+namespace fourpost::post_stroke_test {
 namespace {
 
 TEST(PostStroke, IsHalfUpAndHalfDown) {
@@ -28,4 +28,4 @@ TEST(PostStroke, IsHalfUpAndHalfDown) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::post_stroke_test

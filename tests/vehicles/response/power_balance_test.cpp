@@ -14,7 +14,7 @@
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/linearised_cycle.h"
 
-namespace fourpost {
+namespace fourpost::power_balance_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -173,4 +173,4 @@ TEST(Power, OfShippedVehicles) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::power_balance_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::response_recorder_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -53,4 +53,4 @@ TEST(ResponseRecorder, KeepsMeanAndSecondHarmonicAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::response_recorder_test

@@ -8,7 +8,7 @@
 #include "tests/vehicles/closed_form.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::single_wheel_station_test {
 namespace {
 
 Vehicle Station() { return ShippedVehicle("single_wheel_station"); }
@@ -45,7 +45,7 @@ TEST(SingleWheelStation, AcceleratesAsTheClosedForm) {
                             .tyre_stiffness = ValueOf(vehicle, "kt"),
                             .damper = {ValueOf(vehicle, "c_bump"), ValueOf(vehicle, "c_rebound")}};
     const ClosedForm closed = {.acceleration =
-                                   [car](const Motion& motion) {
+                                   [car](const MotionState& motion) {
                                      const Eigen::Vector<double, 5> state(motion.q[0], motion.q[1], motion.rate[0],
                                                                           motion.rate[1], 0.0);
                                      return Eigen::VectorXd(car.Derivative(state, motion.ground[0]).segment<2>(2));
@@ -66,4 +66,4 @@ TEST(SingleWheelStation, HasTheFiveOutputsOfTheThesis) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::single_wheel_station_test

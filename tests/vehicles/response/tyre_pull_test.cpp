@@ -13,7 +13,7 @@
 #include "vehicles/description/gravity.h"
 #include "vehicles/response/findings.h"
 
-namespace fourpost {
+namespace fourpost::tyre_pull_test {
 namespace {
 
 using testing::IsEmpty;
@@ -77,4 +77,4 @@ TEST(TyrePull, WarnsWithTheRemedy) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::tyre_pull_test

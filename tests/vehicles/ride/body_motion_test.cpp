@@ -7,7 +7,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/loops/design_kinematics.h"
 
-namespace fourpost {
+namespace fourpost::body_motion_test {
 namespace {
 
 std::vector<BodyMotion> BodiesOf(const Vehicle& vehicle) {
@@ -63,4 +63,4 @@ TEST(BodyMotions, HaveTheKineticEnergyOfTheMassMatrix) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::body_motion_test

@@ -15,7 +15,7 @@
 #include "vehicles/description/gravity.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::chassis_numbers_test {
 namespace {
 
 // Second derivatives by differences over millimetres keep 1e-10 of loads of some kN; rates are some kN/m.
@@ -185,4 +185,4 @@ TEST(ChassisNumbers, AreLeftOutWhereJointsGuideTheChassisOrFeetAreInTheAir) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::chassis_numbers_test

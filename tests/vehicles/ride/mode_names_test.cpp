@@ -12,7 +12,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::mode_names_test {
 namespace {
 
 using testing::ElementsAre;
@@ -139,4 +139,4 @@ TEST(ModeNames, TellTheSharesOfKineticEnergy) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mode_names_test

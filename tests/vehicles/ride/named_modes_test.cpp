@@ -7,7 +7,7 @@
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/ride/stability.h"
 
-namespace fourpost {
+namespace fourpost::named_modes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -67,4 +67,4 @@ TEST(Stability, NamesTheModeThatGrows) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::named_modes_test

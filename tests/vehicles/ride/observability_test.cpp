@@ -11,7 +11,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "tests/vehicles/small_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::observability_test {
 namespace {
 
 std::vector<ParameterView> ViewsOf(const Vehicle& vehicle) {
@@ -141,4 +141,4 @@ TEST(Observability, TellsWhatIsInACurvedLaw) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::observability_test

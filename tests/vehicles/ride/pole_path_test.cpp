@@ -12,7 +12,7 @@
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/ride/named_modes.h"
 
-namespace fourpost {
+namespace fourpost::pole_path_test {
 namespace {
 
 using testing::ElementsAre;
@@ -117,4 +117,4 @@ TEST(PolePath, NamesThePolesOfAnOverdampedModeApart) {
 TEST(PolePath, NeedsAValue) { EXPECT_THROW(FollowPoles(ShippedVehicle("quarter_car"), 0, {}), std::invalid_argument); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::pole_path_test

@@ -13,7 +13,7 @@
 #include "vehicles/description/gravity.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::ride_geometry_test {
 namespace {
 
 // Second derivatives by differences over millimetres keep 1e-10 of loads of some kN; rates are some kN/m.
@@ -151,4 +151,4 @@ TEST(RideGeometry, TellsTheMeanRateOfEachDamper) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::ride_geometry_test

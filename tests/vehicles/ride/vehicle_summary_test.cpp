@@ -5,7 +5,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/description/gravity.h"
 
-namespace fourpost {
+namespace fourpost::vehicle_summary_test {
 namespace {
 
 // Of some 20 kN.
@@ -64,4 +64,4 @@ TEST(VehicleSummary, SharesTheLinkageCarsWeightByItsCentreOfMass) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::vehicle_summary_test

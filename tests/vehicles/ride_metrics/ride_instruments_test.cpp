@@ -4,7 +4,7 @@
 
 #include "tests/vehicles/shipped_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::ride_instruments_test {
 namespace {
 
 TEST(RideInstruments, ReadTheChassisAndAllElements) {
@@ -56,4 +56,4 @@ TEST(RideInstruments, WithoutAccelerometersFeelTheCentreOfMass) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::ride_instruments_test

@@ -8,7 +8,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/linear_response.h"
 
-namespace fourpost {
+namespace fourpost::road_ride_test {
 namespace {
 
 constexpr RoadRequest kRoadC{.roughness_m3 = 256e-6, .speed = 60 / 3.6};
@@ -84,4 +84,4 @@ TEST(RoadRide, RefusesWhatIsNoRoad) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::road_ride_test

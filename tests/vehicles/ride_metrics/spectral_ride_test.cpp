@@ -17,7 +17,7 @@
 #include "vehicles/ride_metrics/history_ride.h"
 #include "vehicles/simulation/time_history.h"
 
-namespace fourpost {
+namespace fourpost::spectral_ride_test {
 namespace {
 
 using std::numbers::pi;
@@ -183,4 +183,4 @@ TEST(SpectralRide, OfHydraulicDampersIsAnEstimate) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::spectral_ride_test

@@ -13,7 +13,7 @@
 #include "vehicles/shapes/findings.h"
 #include "vehicles/shapes/solid.h"
 
-namespace fourpost {
+namespace fourpost::mesh_test {
 namespace {
 
 const std::filesystem::path kMeshes = std::filesystem::path(FOURPOST_SOURCE_DIR) / "meshes";
@@ -237,4 +237,4 @@ TEST(Mesh, SaysWhyItCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mesh_test

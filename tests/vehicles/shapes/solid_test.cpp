@@ -13,7 +13,7 @@
 #include "tests/vehicles/shapes/shape_refusal.h"
 #include "vehicles/shapes/findings.h"
 
-namespace fourpost {
+namespace fourpost::solid_test {
 namespace {
 
 using std::numbers::pi;
@@ -263,4 +263,4 @@ TEST(Solid, NeedsAVolume) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::solid_test

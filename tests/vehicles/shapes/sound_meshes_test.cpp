@@ -10,7 +10,7 @@
 #include "vehicles/shapes/mesh.h"
 #include "vehicles/shapes/shape_error.h"
 
-namespace fourpost {
+namespace fourpost::sound_meshes_test {
 namespace {
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -53,4 +53,4 @@ TEST(SoundMeshes, DoNotHoldFaultyOnes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::sound_meshes_test

@@ -15,7 +15,7 @@
 #include "vehicles/simulation/multibody_system.h"
 #include "vehicles/simulation/time_history.h"
 
-namespace fourpost {
+namespace fourpost::actuator_test {
 namespace {
 
 constexpr double kHertz = 1.7;
@@ -131,4 +131,4 @@ TEST(Actuator, IsReadBesideThePosts) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::actuator_test

@@ -14,7 +14,7 @@
 #include "tests/vehicles/simulation/written_out_cars.h"
 #include "vehicles/description/gravity.h"
 
-namespace fourpost {
+namespace fourpost::condensed_stepper_test {
 namespace {
 
 using State5 = Eigen::Vector<double, 5>;
@@ -214,4 +214,4 @@ TEST(CondensedStepper, RefusesStepsAndPostsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::condensed_stepper_test

@@ -16,7 +16,7 @@
 #include "tests/vehicles/simulation/written_out_cars.h"
 #include "vehicles/simulation/multibody_system.h"
 
-namespace fourpost {
+namespace fourpost::condensed_system_test {
 namespace {
 
 /// Largest difference of the first harmonics, relative to each.
@@ -174,4 +174,4 @@ TEST(CondensedSystem, RefusesRigsThatAreNotTheModels) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::condensed_system_test

@@ -17,7 +17,7 @@
 #include "vehicles/simulation/multibody_system.h"
 #include "vehicles/simulation/time_history.h"
 
-namespace fourpost {
+namespace fourpost::full_system_test {
 namespace {
 
 PostMotion Sine(double hertz, double amplitude_m, double duration_s, std::size_t posts) {
@@ -115,4 +115,4 @@ TEST(FullSystem, RefusesStepsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::full_system_test

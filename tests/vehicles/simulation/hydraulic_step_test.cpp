@@ -9,7 +9,7 @@
 
 #include "tests/vehicles/hydraulic_settings.h"
 
-namespace fourpost {
+namespace fourpost::hydraulic_step_test {
 namespace {
 
 constexpr double kEnd_s = 0.5;
@@ -100,4 +100,4 @@ INSTANTIATE_TEST_SUITE_P(Settings, HydraulicSteps, testing::ValuesIn(HydraulicSe
                          [](const auto& setting) { return setting.param.name; });
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hydraulic_step_test

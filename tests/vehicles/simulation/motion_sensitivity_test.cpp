@@ -11,7 +11,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::motion_sensitivity_test {
 namespace {
 
 constexpr double kStep_s = 1e-3;
@@ -188,4 +188,4 @@ TEST(MotionSensitivity, DoesNotCoverACoordinateThatComes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::motion_sensitivity_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::port_solver_test {
 namespace {
 
 std::vector<Port> Ports() {
@@ -69,4 +69,4 @@ TEST(PortSolver, SolvesALineInOneStep) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::port_solver_test

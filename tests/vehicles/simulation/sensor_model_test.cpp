@@ -8,7 +8,7 @@
 
 #include "analysis/signals/low_pass.h"
 
-namespace fourpost {
+namespace fourpost::sensor_model_test {
 namespace {
 
 /// Two posts and three sensors, all at 5 Hz, of sizes 1 to 5.
@@ -76,4 +76,4 @@ TEST(SensorModel, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::sensor_model_test

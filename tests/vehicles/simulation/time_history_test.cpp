@@ -16,7 +16,7 @@
 #include "vehicles/simulation/condensed_system.h"
 #include "vehicles/simulation/multibody_system.h"
 
-namespace fourpost {
+namespace fourpost::time_history_test {
 namespace {
 
 TEST(TimeGrid, CountsSamplesOfWholeAndBrokenDurations) {
@@ -202,4 +202,4 @@ TEST(TimeHistory, SaysWhereAPistonMeetsItsEnd) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::time_history_test

@@ -3,7 +3,7 @@
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/tags/findings.h"
 
-namespace fourpost {
+namespace fourpost::xml_limits_test {
 namespace {
 
 std::string Repeated(const std::string& text, std::size_t count) {
@@ -116,4 +116,4 @@ TEST_F(XmlLimits, LeavesUnclosedMarkupToTheParser) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::xml_limits_test

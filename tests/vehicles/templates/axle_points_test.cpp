@@ -6,7 +6,7 @@
 #include "tests/vehicles/templates/suspension_cars.h"
 #include "vehicles/templates/findings.h"
 
-namespace fourpost {
+namespace fourpost::axle_points_test {
 namespace {
 
 using suspension_cars::KindsOf;
@@ -161,4 +161,4 @@ TEST(AxlePoints, ReportsAnAxisThatPointsBack) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::axle_points_test

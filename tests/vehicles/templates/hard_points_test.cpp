@@ -6,7 +6,7 @@
 #include "tests/vehicles/templates/suspension_cars.h"
 #include "vehicles/templates/findings.h"
 
-namespace fourpost {
+namespace fourpost::hard_points_test {
 namespace {
 
 std::vector<HardPoint> Read(const std::string& text, Diagnostics& findings) {
@@ -89,4 +89,4 @@ TEST(HardPoints, ComeBackFromTheTemplate) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hard_points_test

@@ -9,7 +9,7 @@
 #include "vehicles/poses/axle_kinematics.h"
 #include "vehicles/ride/vehicle_summary.h"
 
-namespace fourpost {
+namespace fourpost::suspension_kinematics_test {
 namespace {
 
 using newton::Place;
@@ -290,4 +290,4 @@ TEST(SuspensionKinematics, LeafSpringMovesAboutThreeQuartersOfItsFrontHalf) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::suspension_kinematics_test

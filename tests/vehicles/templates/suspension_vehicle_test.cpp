@@ -13,7 +13,7 @@
 #include "vehicles/ride/vehicle_summary.h"
 #include "vehicles/templates/findings.h"
 
-namespace fourpost {
+namespace fourpost::suspension_vehicle_test {
 namespace {
 
 using suspension_cars::KindsOf;
@@ -242,4 +242,4 @@ TEST(SuspensionVehicle, NamesPointsThatMakeNoSuspension) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::suspension_vehicle_test

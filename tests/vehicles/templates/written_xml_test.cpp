@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::written_xml_test {
 namespace {
 
 TEST(WrittenXml, AttributesHoldAnyBytes) {
@@ -16,4 +16,4 @@ TEST(WrittenXml, HyphensDoNotMeetInComments) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::written_xml_test

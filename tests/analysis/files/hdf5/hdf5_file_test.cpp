@@ -11,7 +11,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::hdf5_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -152,4 +152,4 @@ TEST_F(Hdf5File, WithoutNumbersIsRefused) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::hdf5_file_test

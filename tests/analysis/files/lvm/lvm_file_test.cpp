@@ -9,7 +9,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::lvm_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST(LvmFault, IsAFileThatEndsBeforeItsSamples) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::lvm_file_test

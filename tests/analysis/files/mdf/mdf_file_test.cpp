@@ -12,7 +12,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::mdf_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -248,4 +248,4 @@ TEST(MdfFault, PackedDataThatAreNone) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::mdf_file_test

@@ -8,7 +8,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::rpc_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -149,4 +149,4 @@ TEST_F(RpcFault, TooFewNumbersInAscii) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::rpc_file_test

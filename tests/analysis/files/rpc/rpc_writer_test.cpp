@@ -8,7 +8,7 @@
 
 #include "tests/analysis/files/byte_writer.h"
 
-namespace fourpost {
+namespace fourpost::rpc_writer_test {
 namespace {
 
 Recording SineOf(std::size_t samples) {
@@ -73,4 +73,4 @@ TEST(RpcWriter, RefusesWhatTheFormatCannotHold) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::rpc_writer_test

@@ -8,7 +8,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::tdms_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -209,4 +209,4 @@ TEST(TdmsFault, NumbersThatTheFileCannotHold) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::tdms_file_test

@@ -9,7 +9,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::universal_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -160,4 +160,4 @@ TEST(UniversalFault, NamesTheLineOrTheByte) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::universal_file_test

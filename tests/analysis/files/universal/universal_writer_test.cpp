@@ -10,7 +10,7 @@
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::universal_writer_test {
 namespace {
 
 TEST(UniversalWriter, RoundTripIsBitEqual) {
@@ -62,4 +62,4 @@ TEST(UniversalWriter, RefusesChannelsWithoutValuesOrTimes) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::universal_writer_test

@@ -6,7 +6,7 @@
 
 #include "tests/identify/shipped_study.h"
 
-namespace fourpost {
+namespace fourpost::bench_bands_test {
 namespace {
 
 /// The shipped sweep, and the linear damper of Model 1.
@@ -66,4 +66,4 @@ TEST(BenchBands, DiscrepancyIsWhatNineteenOfTwentyErrorsStayBelow) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::bench_bands_test

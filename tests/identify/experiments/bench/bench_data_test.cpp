@@ -23,7 +23,7 @@
 #include "tests/temporary_folder.h"
 #include "vehicles/bench/findings.h"
 
-namespace fourpost {
+namespace fourpost::bench_data_test {
 namespace {
 
 using testing::AllOf;
@@ -313,4 +313,4 @@ TEST_F(BenchDataTest, TellsAnOffsetOfTheDisplacementWhereItMatters) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::bench_data_test

@@ -9,7 +9,7 @@
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::bench_study_test {
 namespace {
 
 constexpr const char* kGood = R"(vehicle: damper.urdf
@@ -79,4 +79,4 @@ TEST(BenchStudyFault, ImpossibleFilterAndError) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::bench_study_test

@@ -25,7 +25,7 @@
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/reader/vehicle_file.h"
 
-namespace fourpost {
+namespace fourpost::four_post_data_test {
 namespace {
 
 using testing::DoubleEq;
@@ -322,4 +322,4 @@ TEST_F(GyroTwin, RefusesARateOfTurningForAnotherSensor) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::four_post_data_test

@@ -9,7 +9,7 @@
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::four_post_residuals_test {
 namespace {
 
 /// The study's vehicle and channels, with recordings that the vehicle itself would make at these parameters.
@@ -327,4 +327,4 @@ TEST(FourPostResiduals, OnlyForcesPinTheScale) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::four_post_residuals_test

@@ -12,7 +12,7 @@
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::misfit_lint_test {
 namespace {
 
 using testing::Not;
@@ -148,4 +148,4 @@ TEST(MisfitLint, LooksPastFrequenciesWithoutAnAnswer) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::misfit_lint_test

@@ -8,11 +8,11 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/reader/vehicle_file.h"
-#include "vehicles/response/march.h"
 #include "vehicles/response/hysteresis.h"
+#include "vehicles/response/march.h"
 #include "vehicles/simulation/condensed_system.h"
 
-namespace fourpost {
+namespace fourpost::modelled_response_test {
 namespace {
 
 Vehicle Station(const std::string& model) {
@@ -52,4 +52,4 @@ TEST(ModelledResponse, MarchesHysteresis) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::modelled_response_test

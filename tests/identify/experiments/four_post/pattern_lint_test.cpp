@@ -12,7 +12,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/post_pattern.h"
 
-namespace fourpost {
+namespace fourpost::pattern_lint_test {
 namespace {
 
 struct Car {
@@ -157,4 +157,4 @@ TEST(PatternLint, SaysNothingWithoutLowFrequencies) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::pattern_lint_test

@@ -13,7 +13,7 @@
 #include "tests/identify/shipped_study.h"
 #include "vehicles/description/gravity.h"
 
-namespace fourpost {
+namespace fourpost::recording_lint_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -203,4 +203,4 @@ TEST(ChannelWarnings, TellsHowAStudyTurnsAChannelRound) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::recording_lint_test

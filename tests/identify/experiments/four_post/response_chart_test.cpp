@@ -11,7 +11,7 @@
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
-namespace fourpost {
+namespace fourpost::response_chart_test {
 namespace {
 
 using testing::ElementsAre;
@@ -134,4 +134,4 @@ TEST(ResponseChart, OfTheShippedStudyHasARowPerChannelAndIsSmall) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::response_chart_test

@@ -6,7 +6,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::response_discrepancy_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -78,4 +78,4 @@ TEST(ResponseDiscrepancy, IsReadAsItWasWritten) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::response_discrepancy_test

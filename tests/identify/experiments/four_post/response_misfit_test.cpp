@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace fourpost {
+namespace fourpost::response_misfit_test {
 namespace {
 
 MeasuredRun Measured(std::vector<std::complex<double>> response) {
@@ -87,4 +87,4 @@ TEST(Misfit, OfARecordingIsThatOfItsUnits) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::response_misfit_test

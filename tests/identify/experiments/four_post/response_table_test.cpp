@@ -7,7 +7,7 @@
 #include "identify/experiments/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::response_table_test {
 namespace {
 
 using testing::AllOf;
@@ -49,4 +49,4 @@ TEST(ResponseTable, TellsEveryColumnThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::response_table_test

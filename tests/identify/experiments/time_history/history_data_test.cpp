@@ -12,7 +12,7 @@
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::history_data_test {
 namespace {
 
 class HistoryDataTest : public testing::Test {
@@ -220,4 +220,4 @@ TEST_F(HistoryDataTest, ASteppedSineIsToldWhereItBelongs) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_data_test

@@ -12,7 +12,7 @@
 #include "identify/experiments/time_history/history_residuals.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::history_remark_test {
 namespace {
 
 using testing::Not;
@@ -161,4 +161,4 @@ TEST(HistoryRemark, GivesAScale) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_remark_test

@@ -12,7 +12,7 @@
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::history_residuals_test {
 namespace {
 
 constexpr LowPassDesign kFilter{.order = 4, .cutoff_Hz = 30};
@@ -238,4 +238,4 @@ TEST_F(HistoryResidualsTest, AsABlockTurnFaultsOfTheMotionIntoFailures) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_residuals_test

@@ -6,7 +6,7 @@
 #include "identify/study_file/findings.h"
 #include "tests/findings.h"
 
-namespace fourpost {
+namespace fourpost::history_study_test {
 namespace {
 
 constexpr const char* kGood = R"(
@@ -72,4 +72,4 @@ TEST(HistoryStudy, RefusesTwoOfOneName) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::history_study_test

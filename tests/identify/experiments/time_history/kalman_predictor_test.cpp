@@ -15,7 +15,7 @@
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::kalman_predictor_test {
 namespace {
 
 /// The station's recording with white noise of some per cent on each channel.
@@ -171,4 +171,4 @@ TEST_F(KalmanPredictorTest, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::kalman_predictor_test

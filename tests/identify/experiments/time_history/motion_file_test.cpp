@@ -9,7 +9,7 @@
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::motion_file_test {
 namespace {
 
 using Eigen::Index;
@@ -107,4 +107,4 @@ TEST_F(MotionFileTest, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::motion_file_test

@@ -10,7 +10,7 @@
 #include "identify/experiments/time_history/history_simulation.h"
 #include "tests/identify/recorded_station.h"
 
-namespace fourpost {
+namespace fourpost::post_noise_test {
 namespace {
 
 using Eigen::Index;
@@ -161,4 +161,4 @@ TEST_F(PostNoiseTest, IsAddedWithItsSpectrum) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::post_noise_test

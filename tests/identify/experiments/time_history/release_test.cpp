@@ -11,7 +11,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/description/gravity.h"
 
-namespace fourpost {
+namespace fourpost::release_test {
 namespace {
 
 using Eigen::Index;
@@ -146,4 +146,4 @@ TEST_F(ReleaseTest, EnginesAgreeOnADrop) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::release_test

@@ -10,7 +10,7 @@
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
-namespace fourpost {
+namespace fourpost::start_state_test {
 namespace {
 
 /// Names, units, and all but the first samples.
@@ -82,4 +82,4 @@ TEST(StartState, IsGoneInALateWindow) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::start_state_test

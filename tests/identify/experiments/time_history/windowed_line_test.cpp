@@ -9,7 +9,7 @@
 
 #include "analysis/signals/random_stream.h"
 
-namespace fourpost {
+namespace fourpost::windowed_line_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -79,4 +79,4 @@ TEST(WindowedLine, KnowsWhatNoiseBrings) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::windowed_line_test
