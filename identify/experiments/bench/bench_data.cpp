@@ -5,6 +5,7 @@
 
 #include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/signals/smoothed.h"
 #include "analysis/signals/unfiltered.h"
 #include "analysis/text/nearest.h"
 #include "identify/experiments/bench/findings.h"
@@ -58,7 +59,8 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
                            .force = std::move(read->channels[1]),
                            .filter = {},
                            .end = read->samples()};
-  std::vector<double> displacement = std::move(read->channels[0]);
+  // Its noise would be differentiated.
+  std::vector<double> displacement = WithoutNoise(read->channels[0]).signal;
   if (study.rig_filter) {
     const double rate_Hz = 1 / recording.sample_s;
     recording.cutoff_Hz = study.rig_filter->cutoff_Hz;
