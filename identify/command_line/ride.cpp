@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -20,11 +19,13 @@
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/locked_friction.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/results_line.h"
 #include "identify/command_line/ride_points.h"
 #include "identify/command_line/ride_text.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/solve_history.h"
 #include "identify/inspection/file_kind.h"
+#include "identify/report/ride_page.h"
 #include "identify/run/findings.h"
 #include "identify/run/result_kind.h"
 #include "vehicles/posts/road.h"
@@ -163,9 +164,11 @@ RideAnswer BySpectra(const RideCommand& command, const RideJob& job, const Conde
   if (!ride.converged) findings.Report(kRideUnconverged, {}, {asked.name});
   else if (ride.grid_change > kCoarse) findings.Report(kRideGridCoarse, {}, {asked.name, Percent(ride.grid_change, 2)});
   RideAnswer answer{.motion = asked.name,
+                    .road_class = asked.road_class,
+                    .speed = asked.speed,
                     .metrics = std::move(ride.metrics),
                     .spectra = std::move(ride.spectra),
-                    .gains = std::move(ride.gains),
+                    .gains = BodyGainsOf(job.instruments, RandomVehicle(model, ride.grid), ride.gains),
                     .converged = ride.converged,
                     .nonlinear = ride.nonlinear,
                     .grid_change = ride.grid_change};
@@ -206,15 +209,31 @@ std::optional<RideAnswer> ByHistory(const RideCommand& command, const RideJob& j
                     .by = solved.answer.by};
 }
 
+std::string PageOf(const RideCommand& command, const RideJob& job, const std::vector<RideAnswer>& rides) {
+  ShownRides shown{
+      .file = VehicleTextWithValues(job.vehicle, job.vehicle.ParameterValues(), fs::absolute(command.output)),
+      .rides = rides,
+      .first = {.instruments = job.instruments},
+      .findings = job.findings};
+  if (!job.roads.empty()) {
+    shown.first.road_class = job.roads.front().road_class;
+    shown.first.speed = job.roads.front().speed;
+    shown.first.lower_Hz = command.drive.first_Hz;
+    shown.first.upper_Hz = command.drive.last_Hz;
+  }
+  return RidePage(job.vehicle, shown);
+}
+
 void Write(const RideCommand& command, const RideJob& job, const std::vector<RideAnswer>& rides,
            const std::string& json) {
   OutputFolder output(command.output);
+  output.Add(kPageName, PageOf(command, job, rides));
   output.Add("metrics.csv", RideCsv(rides));
   output.Add("spectra.csv", RideSpectraCsv(rides));
   output.Add("ride.svg", RideSvg(job.vehicle.name, rides));
   output.Add("result.json", json);
   output.Commit();
-  std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
+  PrintResultsLine(command.output);
 }
 
 /// All rides asked for, and their text. Ends early where one was interrupted.

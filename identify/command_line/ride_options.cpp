@@ -37,7 +37,7 @@ void AddOptions(CLI::App& subcommand, RideCommand& command) {
       ->transform(EngineOf(kHistoryEngines))
       ->default_str("auto");
   subcommand.add_option("-o,--output", command.output,
-                        "Write metrics.csv, spectra.csv, ride.svg and result.json to this folder");
+                        "Write report.html, metrics.csv, spectra.csv, ride.svg and result.json to this folder");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 

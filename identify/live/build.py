@@ -23,23 +23,30 @@ DIGESTS = BUNDLE / "live.sources"
 EIGEN = os.environ.get("EIGEN", "/usr/include/eigen3")
 
 SOURCES = """
-analysis/numerics/anderson_acceleration analysis/numerics/decompositions
+analysis/comfort/weighted_acceleration analysis/comfort/weighting
+analysis/numerics/anderson_acceleration analysis/numerics/bessel analysis/numerics/decompositions
 analysis/process/deadline analysis/process/thread_time
-identify/live/live_calls identify/live/live_vehicle
+identify/live/live_calls identify/live/live_ride identify/live/live_vehicle
 vehicles/condensed/condensed_body vehicles/condensed/condensed_model vehicles/condensed/linear_vehicle
 vehicles/condensed/modes vehicles/condensed/port vehicles/condensed/preload_map vehicles/condensed/receptance
 vehicles/condensed/reduced_bytes vehicles/condensed/reduced_vehicle
 vehicles/description/element_laws
 vehicles/laws/dashpot_law vehicles/laws/hydraulic_cycle vehicles/laws/hydraulic_damper vehicles/laws/hydraulic_oil
 vehicles/laws/monotone_curve vehicles/laws/mounted_hydraulic_damper vehicles/laws/spring_law
+vehicles/posts/road_tracks
+vehicles/random_response/post_spectra vehicles/random_response/random_vehicle vehicles/random_response/spectral_grid
+vehicles/random_response/statistical_gain
 vehicles/response/contact_cycle vehicles/response/cycle_transform vehicles/response/excitation
 vehicles/response/harmonic_balance vehicles/response/hysteresis vehicles/response/linearised_cycle
 vehicles/response/mean_slope_step vehicles/response/port_cycle vehicles/response/port_newton
 vehicles/response/response_recorder
 vehicles/response/tyre_contact
+vehicles/ride_metrics/ride_bytes vehicles/ride_metrics/ride_metrics vehicles/ride_metrics/ride_spectra
+vehicles/ride_metrics/road_ride vehicles/ride_metrics/spectral_ride
 """.split()
 
-CALLS = ["live_room", "live_answer", "live_fault", "live_open", "live_set", "live_response", "live_modes"]
+CALLS = ["live_room", "live_answer", "live_fault", "live_open", "live_set", "live_response", "live_modes",
+         "live_ride"]
 
 COMPILE = ["em++", "-std=c++20", "-O2", "-fwasm-exceptions", "-fno-rtti", "-ffunction-sections", "-fdata-sections",
            "-DEIGEN_NO_DEBUG", f"-isystem{EIGEN}", "-I."]

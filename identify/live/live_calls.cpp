@@ -4,9 +4,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "identify/live/live_ride.h"
 #include "identify/live/live_vehicle.h"
+#include "vehicles/condensed/reduced_bytes.h"
+#include "vehicles/ride_metrics/ride_bytes.h"
 
 namespace {
 
@@ -17,6 +22,7 @@ struct Instance {
   std::vector<double> answer;
   std::string fault;
   std::optional<LiveVehicle> vehicle;
+  std::optional<LiveRide> ride;
 };
 
 Instance& Here() {
@@ -38,6 +44,40 @@ int Guarded(const Call& call) {
   return -1;
 }
 
+/// Of the vehicle as its file has it.
+ReducedData WithoutInstruments(ReducedData data, std::size_t file_sensors) {
+  data.sensors.resize(file_sensors);
+  const auto rows = static_cast<Eigen::Index>(file_sensors);
+  for (Eigen::MatrixXd* reading : {&data.on_position, &data.on_velocity, &data.on_acceleration})
+    reading->conservativeResize(rows, Eigen::NoChange);
+  return data;
+}
+
+void Open(std::string_view vehicle, std::string_view ride, Instance& here) {
+  ReducedData data = ReducedDataOf(vehicle);
+  here.ride.reset();
+  if (!ride.empty()) {
+    const LiveRide& opened = here.ride.emplace(data, RideInstrumentsOf(ride));
+    data = WithoutInstruments(std::move(data), opened.instruments().file_sensors);
+  }
+  here.vehicle.emplace(std::move(data));
+}
+
+void WriteRide(const RoadRide& ride, std::vector<double>& answer) {
+  answer = {ride.converged ? 1.0 : 0.0, ride.grid_change};
+  for (const RideMetrics::Comfort& comfort : ride.metrics.comfort) answer.push_back(comfort.weighted.rms);
+  for (const RideMetrics::Wheel& wheel : ride.metrics.wheels)
+    answer.insert(answer.end(), {wheel.Variation(), wheel.rms_N, wheel.off_ground});
+  for (const RideMetrics::Strut& strut : ride.metrics.struts)
+    answer.insert(answer.end(), {strut.travel_rms_m, strut.speed_rms});
+  const std::vector<double>& frequencies = ride.spectra.frequency_Hz;
+  answer.insert(answer.end(), frequencies.begin(), frequencies.end());
+  for (std::size_t i = 0; i < ride.metrics.comfort.size(); ++i) {
+    const std::vector<double> density = WeightedDensity(ride.spectra, i, ride.metrics.comfort[i].weighting);
+    answer.insert(answer.end(), density.begin(), density.end());
+  }
+}
+
 }  // namespace
 
 extern "C" {
@@ -51,9 +91,10 @@ const double* live_answer() { return Here().answer.data(); }
 
 const char* live_fault() { return Here().fault.c_str(); }
 
-int live_open(std::size_t bytes) {
+int live_open(std::size_t vehicle_bytes, std::size_t ride_bytes) {
   return Guarded([&](Instance& here) {
-    here.vehicle.emplace(std::string_view(reinterpret_cast<const char*>(here.room.data()), bytes));
+    const std::string_view all(reinterpret_cast<const char*>(here.room.data()), vehicle_bytes + ride_bytes);
+    Open(all.substr(0, vehicle_bytes), all.substr(vehicle_bytes), here);
     return here.vehicle->data().parameters.size();
   });
 }
@@ -92,6 +133,17 @@ int live_modes() {
         here.answer.insert(here.answer.end(), {part.real(), part.imag()});
     }
     return modes.size();
+  });
+}
+
+int live_ride() {
+  return Guarded([](Instance& here) {
+    const std::vector<double>& road = here.room;
+    const RoadRide ride = here.ride.value().Over(
+        here.vehicle.value().values(),
+        {.roughness_m3 = road.at(0), .speed = road.at(1), .lower_Hz = road.at(2), .upper_Hz = road.at(3)});
+    WriteRide(ride, here.answer);
+    return ride.spectra.frequency_Hz.size();
   });
 }
 }

@@ -13,8 +13,9 @@ const double* live_answer();
 /// Ends with a zero byte.
 const char* live_fault();
 
-/// Room: the bytes of a reduced vehicle. The number of its parameters.
-int live_open(std::size_t bytes);
+/// Room: the bytes of a reduced vehicle (reduced_bytes.h), then those of its ride instruments (ride_bytes.h), which may
+/// be none. The number of its parameters.
+int live_open(std::size_t vehicle_bytes, std::size_t ride_bytes);
 
 /// Room: values of all parameters, SI. 1 where the vehicle is hysteretic, else 0.
 int live_set(std::size_t count);
@@ -26,4 +27,11 @@ int live_response(std::size_t posts, std::size_t frequencies);
 /// Answer: for each mode kind (see Mode::Kind), frequency [Hz], damping ratio, real and imaginary part of the pole,
 /// then those of the shape, two for each coordinate. The number of modes.
 int live_modes();
+
+/// Room: roughness [m^3] and speed [m/s] of a road, and its band's bounds [Hz]. Of a vehicle with ride instruments.
+/// Answer: 1 where the ride converged, else 0, and the error of its grid; of each point the weighted rms [m/s^2]; of
+/// each tyre the load variation, its rms [N], and the share of time off the ground; of each damper the rms of its
+/// travel [m] and of its speed [m/s]; then the frequencies [Hz], and of each point the weighted density [(m/s^2)^2/Hz]
+/// at them. The number of frequencies.
+int live_ride();
 }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "identify/experiments/fit_balance.h"
-#include "vehicles/condensed/reduced_bytes.h"
 #include "vehicles/response/hysteresis.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -55,12 +54,14 @@ CondensedModel WithCoordinateRows(CondensedModel model) {
 
 }  // namespace
 
-LiveVehicle::LiveVehicle(std::string_view bytes)
-    : vehicle_(ReducedDataOf(bytes)), sensors_(SensorsOf(vehicle_.data())) {
-  Set(ValuesOf(data()));
+LiveVehicle::LiveVehicle(ReducedData data) : vehicle_(std::move(data)), sensors_(SensorsOf(vehicle_.data())) {
+  Set(ValuesOf(vehicle_.data()));
 }
 
-void LiveVehicle::Set(std::span<const double> values) { model_ = WithCoordinateRows(vehicle_.At(values)); }
+void LiveVehicle::Set(std::span<const double> values) {
+  model_ = WithCoordinateRows(vehicle_.At(values));
+  values_.assign(values.begin(), values.end());
+}
 
 bool LiveVehicle::IsHysteretic() const { return HasHysteresis(model_); }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "analysis/signals/frequency_response.h"
@@ -16,14 +15,16 @@ namespace fourpost {
 /// build.py into the WebAssembly that pages carry.
 class LiveVehicle {
  public:
-  /// `bytes`: of BytesOf(). At the values of the vehicle's file. Throws std::invalid_argument.
-  explicit LiveVehicle(std::string_view bytes);
+  /// At the values of the vehicle's file.
+  explicit LiveVehicle(ReducedData data);
 
   const ReducedData& data() const { return vehicle_.data(); }
 
   /// SI, one per parameter of the vehicle. Throws std::invalid_argument for another number of them, or values that a
   /// law refuses.
   void Set(std::span<const double> values);
+
+  const std::vector<double>& values() const { return values_; }
 
   /// Whether its steady responses need time integration, see HasHysteresis(): too slow for a hand.
   bool IsHysteretic() const;
@@ -38,6 +39,7 @@ class LiveVehicle {
 
  private:
   ReducedVehicle vehicle_;
+  std::vector<double> values_;
   /// Those of the vehicle, and one per coordinate.
   std::vector<Sensor> sensors_;
   /// With rows of all these.

@@ -30,10 +30,14 @@ OrderedJson CurvesJson(const std::vector<CurveGroup>& groups) {
       }
       charts.push_back(
           {{"title", chart.title}, {"unit", chart.unit}, {"least", chart.least}, {"lines", std::move(lines)}});
+      if (chart.is_logarithmic) charts.back()["logarithmic"] = true;
+      if (chart.ride_point >= 0) charts.back()["ride_point"] = chart.ride_point;
     }
     OrderedJson x = {{"name", group.x_name}, {"unit", group.x_unit}};
+    if (group.x_is_logarithmic) x["logarithmic"] = true;
     x.update(ValuesJson(group.x));
     all[group.id] = {{"title", group.title}, {"x", std::move(x)}, {"charts", std::move(charts)}};
+    if (!group.road_class.empty()) all[group.id].update({{"road", group.road_class}, {"speed", group.speed}});
   }
   return all;
 }

@@ -20,6 +20,10 @@ struct CurveGroup {
     /// What the ordinate spans at least.
     double least = 0;
     std::vector<Line> lines;
+    /// An ordinate over decades.
+    bool is_logarithmic = false;
+    /// The point of the ride whose weighted density the chart shows, which then follows the sliders; -1: none.
+    int ride_point = -1;
   };
 
   /// Names it in the page.
@@ -29,6 +33,10 @@ struct CurveGroup {
   std::string x_name;
   std::string x_unit;
   std::vector<double> x;
+  bool x_is_logarithmic = false;
+  /// That its ride is on; without a class it is on none.
+  std::string road_class;
+  double speed = 0;
   std::vector<Chart> charts;
 };
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/text/base64.h"
 #include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/condense.h"
 #include "vehicles/condensed/reduced_bytes.h"
+#include "vehicles/ride_metrics/ride_bytes.h"
 
 namespace fourpost {
 namespace {
@@ -47,9 +49,37 @@ OrderedJson OtherJson(const Parameter& parameter) {
   return json;
 }
 
+/// Null where posts do not move the vehicle.
+OrderedJson RideJson(const ShownRide& ride) {
+  const RideInstruments& instruments = ride.instruments;
+  if (instruments.vehicle.posts.empty()) return nullptr;
+  OrderedJson points = OrderedJson::array();
+  for (const RideInstruments::Felt& felt : instruments.points)
+    points.push_back({{"name", felt.name}, {"weighting", WeightingName(felt.weighting)}});
+  OrderedJson tyres = OrderedJson::array();
+  for (const Tyre& tyre : instruments.vehicle.tyres) tyres.push_back(tyre.name);
+  OrderedJson dampers = OrderedJson::array();
+  for (const Damper& damper : instruments.vehicle.dampers) dampers.push_back(damper.name);
+  return {{"instruments", Base64(BytesOf(instruments))},
+          {"points", std::move(points)},
+          {"tyres", std::move(tyres)},
+          {"dampers", std::move(dampers)},
+          {"road", ride.road_class},
+          {"speed", ride.speed},
+          {"band_Hz", {ride.lower_Hz, ride.upper_Hz}}};
+}
+
+OrderedJson VehicleJson(const Vehicle& vehicle, const std::optional<ShownRide>& asked) {
+  const ShownRide ride = asked ? *asked : ShownRide{.instruments = InstrumentRide(vehicle)};
+  const OrderedJson json = RideJson(ride);
+  const Vehicle& reduced = json.is_null() ? vehicle : ride.instruments.vehicle;
+  return {{"vehicle", Base64(BytesOf(Condense(reduced).data()))}, {"ride", json}};
+}
+
 }  // namespace
 
-OrderedJson LiveJson(const RunContents& run, const std::vector<ReportedParameter>& fitted) {
+OrderedJson LiveJson(const RunContents& run, const std::vector<ReportedParameter>& fitted,
+                     const std::optional<ShownRide>& ride) {
   if (!run.vehicle) return nullptr;
   const std::vector<Parameter>& parameters = run.vehicle->parameters;
   OrderedJson list = OrderedJson::array();
@@ -69,9 +99,10 @@ OrderedJson LiveJson(const RunContents& run, const std::vector<ReportedParameter
   if (list.empty()) return nullptr;
   try {
     const auto file = run.files.find("vehicle.urdf");
-    return {{"vehicle", Base64(BytesOf(Condense(*run.vehicle).data()))},
-            {"file", file == run.files.end() ? OrderedJson() : OrderedJson(file->second)},
-            {"parameters", std::move(list)}};
+    OrderedJson json = VehicleJson(*run.vehicle, ride);
+    json["file"] = file == run.files.end() ? OrderedJson() : OrderedJson(file->second);
+    json["parameters"] = std::move(list);
+    return json;
   } catch (const FaultyInput&) {
     return nullptr;  // The page says at the vehicle's picture why.
   }

@@ -188,7 +188,7 @@ std::string ViewerHtml(const OrderedJson& scene, const std::string& fault) {
   return html::Section("vehicle", "The vehicle on its posts",
                        scene.is_null()
                            ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
-                           : html::Drawn("viewer", "The moving vehicle needs JavaScript."));
+                           : html::Drawn("viewer", "The moving vehicle needs JavaScript.") + html::Drawn("sliders"));
 }
 
 std::string Body(const Json& result, const Parts& parts, const OrderedJson& scene, const std::string& scene_fault,
@@ -206,12 +206,13 @@ std::string Body(const Json& result, const Parts& parts, const OrderedJson& scen
                                   Pair(StartTableHtml(result), html::Drawn("agreement")) + SettingsHtml(result));
 }
 
-/// What the scripts draw, with sliders beside responses: `parameters` are the fitted ones.
+/// What the scripts draw, with sliders where posts move the vehicle: `parameters` are the fitted ones.
 OrderedJson DataOf(const Json& result, const Parts& parts, const OrderedJson& scene, const RunContents& run,
                    const std::vector<ReportedParameter>& parameters) {
   OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}};
   for (const auto& part : parts) data.update(part->Drawn());
-  const bool is_live = !scene.is_null() && data.contains("responses") && !data["responses"].empty();
+  const auto has = [&](const char* key) { return data.contains(key) && !data[key].empty(); };
+  const bool is_live = !scene.is_null() && (has("responses") || has("histories"));
   data["live"] = is_live ? LiveJson(run, parameters) : OrderedJson();
   return data;
 }

@@ -1,11 +1,9 @@
 #include "identify/report/simulation_page.h"
 
-#include <cctype>
-#include <sstream>
-
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
 #include "identify/experiments/run_history.h"
+#include "identify/report/sentences_html.h"
 #include "identify/report/vehicle_page.h"
 #include "vehicles/requests/engine_text.h"
 
@@ -25,18 +23,6 @@ std::string SizesHtml(const std::vector<HistoryChannel>& channels) {
       rows.back().push_back(NumberCell(ShownNumber((is_length ? 1e3 : 1) * size, 4)));
   }
   return html::Table({"channel", "unit", "mean", "rms", "peak", "peak to peak"}, rows);
-}
-
-/// Each line of a text as a sentence.
-std::string SentencesHtml(const std::string& text) {
-  std::istringstream lines(text);
-  std::string sentences;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty()) continue;
-    line[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
-    sentences += (sentences.empty() ? "" : " ") + html::Escaped(line) + '.';
-  }
-  return html::Element("p", "note", sentences) + '\n';
 }
 
 TimeTable TableOf(const SimulationAnswer& answer) {

@@ -15,7 +15,6 @@
 #include "analysis/text/counted.h"
 #include "analysis/text/units.h"
 #include "identify/live/live_program.h"
-#include "identify/report/live_json.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/report_tables.h"
 #include "identify/report/scene_json.h"
@@ -146,12 +145,11 @@ std::string Note(const std::string& text) {
   return text.empty() ? "" : html::Element("p", "note", html::Escaped(text)) + '\n';
 }
 
-/// The sliders stand beside the responses, where there are some.
 std::string ViewerHtml(const VehicleAnswer& answer, const OrderedJson& scene, const std::string& fault) {
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(fault) + "</p>\n"
                       : html::Drawn("viewer", "The moving vehicle needs JavaScript.") +
-                            (answer.responses.empty() ? html::Drawn("sliders") : "") + Note(answer.viewer_note);
+                            (answer.has_sliders_elsewhere ? "" : html::Drawn("sliders")) + Note(answer.viewer_note);
   return html::Section("vehicle", answer.viewer_title, viewer);
 }
 
@@ -161,7 +159,7 @@ std::string VehiclePage(const Vehicle& vehicle, const VehicleAnswer& answer) {
   std::string fault;
   const OrderedJson scene = SceneOf(vehicle, answer, fault);
   const RunContents contents{.files = {{"vehicle.urdf", answer.file}}, .vehicle = vehicle, .vehicle_fault = ""};
-  const OrderedJson live = answer.file.empty() || scene.is_null() ? OrderedJson() : LiveJson(contents, {});
+  const OrderedJson live = answer.file.empty() || scene.is_null() ? OrderedJson() : LiveJson(contents, {}, answer.ride);
   OrderedJson data = {{"result", {{"vehicle", vehicle.name}, {"parameters", OrderedJson::array()}}},
                       {"line", "model"},
                       {"responses", ResponsesJson(answer.responses)},

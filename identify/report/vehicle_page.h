@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/experiment_report.h"
 #include "identify/report/curves_json.h"
+#include "identify/report/live_json.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/requests/sweep.h"
 
@@ -19,9 +21,13 @@ struct VehicleAnswer {
   std::vector<std::string> facts = {};
   /// Text of the vehicle's file, which a page saves with other values; empty: the page has no sliders.
   std::string file = {};
+  /// What its sliders show of a ride; empty: the usual.
+  std::optional<ShownRide> ride = {};
   Diagnostics findings = {};
   std::vector<SweptResponse> responses = {};
   std::vector<RecordedHistory> over_time = {};
+  /// Whether a section of its own has the place of the sliders, which without responses is below the vehicle.
+  bool has_sliders_elsewhere = false;
   /// Over the moving vehicle, and below it.
   std::string viewer_title = "The vehicle on its posts";
   std::string viewer_note = {};

@@ -1,6 +1,7 @@
 """Ride on roads: what the command prints and writes, and what it refuses."""
 import csv
 import json
+import re
 import unittest
 
 from program import SOURCE, ProgramTest
@@ -73,7 +74,7 @@ class Ride(ProgramTest):
         document = json.loads(self.run_program("ride", CAR, *ROAD, "-o", "ride", "--json").stdout)
         folder = self.folder / "ride"
         self.assertEqual({file.name for file in folder.iterdir()},
-                         {"metrics.csv", "spectra.csv", "ride.svg", "result.json"})
+                         {"report.html", "metrics.csv", "spectra.csv", "ride.svg", "result.json"})
         self.assertEqual(json.loads((folder / "result.json").read_text()), document)
         with open(folder / "metrics.csv", newline="") as file:
             rows = {row["metric"]: row["value"] for row in csv.DictReader(file)}
@@ -89,10 +90,28 @@ class Ride(ProgramTest):
         self.run_program("ride", CAR, *ROAD, "-o", "ride")
         self.assertIn("[folder-of-other-result]", self.run_program("modes", CAR, "-o", "ride", code=5).stderr)
 
+    def test_a_page_has_numbers_spectra_and_sliders(self):
+        outcome = self.run_program("ride", CAR, *ROAD, "-o", "ride")
+        self.assertIn("open ride/report.html", outcome.stderr)
+        text = (self.folder / "ride/report.html").read_text()
+        self.assertTrue("Road C at 60 km/h</h2>" in text, "the heading")
+        self.assertTrue("Power spectra, 4 nonlinear elements by statistical linearisation." in text, "the method")
+        data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL).group(1))
+        charts = data["curves"]["ride_1"]["charts"]
+        points = ["a_body_front", "a_body_rear", "a_cross_member", "a_tow_point", "a_cg"]
+        self.assertEqual([chart["title"] for chart in charts], [*points, "weighting Wk", "tyre loads"])
+        self.assertEqual([line["label"] for line in charts[0]["lines"]], ["weighted", "unweighted"])
+        ride = data["live"]["ride"]
+        self.assertEqual((ride["road"], ride["band_Hz"]), ("C", [0.5, 30]))
+        self.assertEqual(ride["points"], [{"name": name, "weighting": "Wk"} for name in points])
+        self.assertAlmostEqual(ride["speed"], 60 / 3.6)
+
     def test_a_fit_rides_as_its_vehicle_does(self):
         self.run_program("init", "car")
         self.run_program("fit", "car/study.yaml", "-o", "run")
         self.assertEqual(self.metrics("run", *ROAD), self.metrics("run/vehicle.urdf", *ROAD))
+        self.run_program("ride", "run", *ROAD, "-o", "ride")
+        self.assertTrue((self.folder / "ride/report.html").exists())
 
     def test_faults_are_named_at_once(self):
         text = self.run_program("ride", CAR, "--road", "C", "--speed", "0km/h", "--point", "seat=chasis:0,0,1", "--point",

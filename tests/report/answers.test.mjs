@@ -194,3 +194,50 @@ describe('the page of a simulation', () => {
     });
   });
 });
+
+describe('the page of a ride', () => {
+  test('has its numbers, weighted spectra, and sliders that both follow', async () => {
+    const folder = folderOf('ride', 'ride', car('landrover110_linkage'), '--road', 'B,C', '--speed', '80km/h', '--point', 'seat=chassis:0.1,0.3,0.8');
+    await look(folder, async (page) => {
+      const sections = await page.locator('main > section').evaluateAll((all) => all.map(({ id }) => id));
+      assert.deepEqual(sections.filter((id) => id !== 'findings'), ['ride-1', 'ride-2', 'vehicle', 'modes', 'parameters']);
+      const metrics = new Map(table(folder, 'metrics.csv').filter(({ motion }) => motion === 'road C at 80 km/h').map(({ metric, value }) => [metric, Number(value)]));
+      const seat = page.locator('#ride-2 tbody tr', { hasText: 'seat' }).first();
+      // Three digits are shown.
+      assert.ok(Math.abs(Number(await seat.locator('td').nth(2).textContent()) / metrics.get('seat.Wk') - 1) < 0.006);
+      const chart = page.locator('#ride-2 .chart', { hasText: /^seat/ });
+      const { head, rows } = await numbersOf(page, chart.locator('.menu'));
+      assert.ok(head.some((name) => /: weighted/.test(name)), `${head}`);
+      const k = head.findIndex((name) => /: weighted/.test(name));
+      // By the trapezoidal rule on Gauss's points.
+      const square = rows.slice(1).reduce((sum, row, i) => sum + ((row[0] - rows[i][0]) * (row[k] + rows[i][k])) / 2, 0);
+      assert.ok(Math.abs(Math.sqrt(square) / metrics.get('seat.Wk') - 1) < 0.02, `${Math.sqrt(square)}`);
+      await moves(page, /./);
+      await page.locator('#ride-1 .opener').click();
+      await page.waitForSelector('.whatif .ride tbody');
+      assert.match(await page.locator('.whatif .ride summary').textContent(), /road B at 80 km\/h/);
+      // The spectrum of the sliders' car over that of the file, on the road of the sliders alone.
+      const purple = [0x8b, 0x3f, 0xb0];
+      const first = page.locator('#ride-1 .chart canvas').first();
+      await page.locator('.whatif .row[data-parameter=k_front] input.number').fill('+30 %');
+      await page.locator('.whatif .row[data-parameter=k_front] input.number').press('Enter');
+      await page.waitForTimeout(800);
+      assert.ok((await coloured(first, purple)) > 100);
+      assert.ok((await coloured(page.locator('#ride-2 .chart canvas').first(), purple)) < 20);
+      await page.locator('.whatif .ride select').selectOption('C');
+      await page.waitForTimeout(800);
+      assert.ok((await coloured(first, purple)) < 20);
+    });
+  });
+
+  test('of a step has its history, and the usual road beside the sliders', async () => {
+    const folder = folderOf('step', 'ride', car('quarter_car'), '--step', '20mm', '--duration', '2s', '--engine', 'reduced');
+    await look(folder, async (page) => {
+      assert.match(await page.locator('#ride-1 .note').first().textContent(), /Time history|mean heave/i);
+      await moves(page, /./);
+      await page.locator('#ride-1 .opener').click();
+      await page.waitForSelector('.whatif .ride tbody');
+      assert.match(await page.locator('.whatif .ride summary').textContent(), /road C at 60 km\/h/);
+    });
+  });
+});

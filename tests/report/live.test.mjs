@@ -33,9 +33,9 @@ describe('WebAssembly of live pages', () => {
 
   test('knows all shipped vehicles on posts', () => assert.ok(lines.length >= 12, `${lines.length}`));
 
-  for (const { file, coordinates, vehicle, draws } of lines)
+  for (const { file, coordinates, vehicle, instruments, points, tyres, dampers, draws } of lines)
     test(`answers as the native program: ${file.slice(root.length + 1)}`, async () => {
-      const car = await openVehicle(program, vehicle);
+      const car = await openVehicle(program, vehicle, instruments);
       for (const draw of draws) {
         assert.equal(car.set(draw.values), draw.hysteretic === 0);
         const n = draw.frequencies.length;
@@ -54,6 +54,23 @@ describe('WebAssembly of live pages', () => {
           const scale = Math.max(...means.map(Math.abs), draw.amplitudes[0] * largestOf(complexOf(c)));
           means.forEach((value, i) => assert.ok(value == null ? Number.isNaN(mean[i]) : Math.abs(mean[i] - value) <= limit * scale, `mean of channel ${c}`));
         });
+        for (const { road, frequencies, fault, numbers } of draw.rides) {
+          const [roughness, speed, ...band_Hz] = road;
+          const ride = () => car.ride({ roughness, speed, band_Hz }, { points, tyres, dampers });
+          if (frequencies < 0) {
+            assert.throws(ride, new RegExp(fault));
+            continue;
+          }
+          const found = ride();
+          assert.equal(found.frequency_Hz.length, frequencies);
+          const list = [...found.points, ...found.tyres, ...found.dampers].flatMap((one) => Object.values(one));
+          // Each number by its own size: tyres that never lift off have a share of nothing.
+          [+found.converged, found.gridError, ...list].forEach((value, i) => assert.ok(Math.abs(value - numbers[i]) <= limit * Math.max(Math.abs(numbers[i]), 1e-3), `number ${i} of a ride: ${value} and ${numbers[i]}`));
+          found.density.forEach((density, i) => {
+            const expected = numbers.slice(2 + list.length + (1 + i) * frequencies).slice(0, frequencies);
+            assert.ok(difference(density, expected, largestOf(expected)) < limit, `density of point ${i}`);
+          });
+        }
         const modes = car.modes(coordinates);
         assert.equal(modes.length, draw.modes);
         const size = 5 + 2 * coordinates;

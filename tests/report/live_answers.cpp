@@ -17,6 +17,7 @@
 #include "vehicles/condensed/condense.h"
 #include "vehicles/condensed/reduced_bytes.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/ride_metrics/ride_bytes.h"
 
 namespace fourpost {
 namespace {
@@ -46,7 +47,24 @@ std::vector<double> Drawn(const std::vector<Parameter>& parameters, std::mt19937
   return values;
 }
 
-Json AnswersAt(const std::vector<double>& values, const ReducedData& data) {
+/// The vehicle's ride over each road; a reason where there is none.
+Json RidesOver(const std::vector<std::vector<double>>& roads, const RideInstruments& instruments) {
+  Json rides = Json::array();
+  for (const std::vector<double>& road : roads) {
+    Put(road);
+    const int frequencies = live_ride();
+    const std::size_t points = instruments.points.size();
+    const std::size_t numbers = 2 + points + 3 * instruments.loads.size() + 2 * instruments.dampers.size();
+    const std::size_t spectra = static_cast<std::size_t>(std::max(frequencies, 0)) * (1 + points);
+    rides.push_back({{"road", road},
+                     {"frequencies", frequencies},
+                     {"fault", live_fault()},
+                     {"numbers", frequencies < 0 ? Json() : Answer(numbers + spectra)}});
+  }
+  return rides;
+}
+
+Json AnswersAt(const std::vector<double>& values, const ReducedData& data, const RideInstruments& instruments) {
   Put(values);
   const int is_hysteretic = live_set(values.size());
   std::vector<double> shares;
@@ -63,40 +81,49 @@ Json AnswersAt(const std::vector<double>& values, const ReducedData& data) {
   Put(given);
   const int channels = live_response(shares.size(), frequencies.size());
   const Json response = Answer(3 * frequencies.size() * static_cast<std::size_t>(std::max(channels, 0)));
+  const Json rides = RidesOver({{256e-6, 60 / 3.6, 0.5, 30}, {64e-6, 30, 0.5, 30}}, instruments);
   const int modes = live_modes();
   const auto size = static_cast<std::size_t>(5 + 2 * data.coordinates);
-  return {{"values", values},
-          {"hysteretic", is_hysteretic},
-          {"shares", shares},
-          {"frequencies", frequencies},
-          {"amplitudes", amplitudes},
-          {"channels", channels},
-          {"response", response},
-          {"modes", modes},
-          {"mode_numbers", Answer(size * static_cast<std::size_t>(modes))}};
+  return {{"values", values},         {"hysteretic", is_hysteretic},
+          {"shares", shares},         {"frequencies", frequencies},
+          {"amplitudes", amplitudes}, {"channels", channels},
+          {"response", response},     {"rides", rides},
+          {"modes", modes},           {"mode_numbers", Answer(size * static_cast<std::size_t>(modes))}};
 }
 
-std::optional<ReducedData> DataOf(const std::string& file) {
+std::optional<RideInstruments> InstrumentsOf(const std::string& file) {
   Diagnostics diagnostics;
   const std::optional<Vehicle> vehicle = ReadVehicle(file, diagnostics);
   if (!vehicle || vehicle->posts.empty()) return std::nullopt;
   try {
-    return Condense(*vehicle).data();
+    RideInstruments instruments = InstrumentRide(*vehicle);
+    Condense(instruments.vehicle);
+    return instruments;
   } catch (const FaultyInput&) {
     return std::nullopt;
   }
 }
 
 void Print(const std::string& file) {
-  const std::optional<ReducedData> data = DataOf(file);
-  if (!data) return;
-  const std::string bytes = BytesOf(*data);
+  const std::optional<RideInstruments> instruments = InstrumentsOf(file);
+  if (!instruments) return;
+  const ReducedData data = Condense(instruments->vehicle).data();
+  const std::string vehicle = BytesOf(data);
+  const std::string ride = BytesOf(*instruments);
+  const std::string bytes = vehicle + ride;
   std::memcpy(live_room(bytes.size()), bytes.data(), bytes.size());
-  if (live_open(bytes.size()) < 0) throw std::runtime_error(live_fault());
+  if (live_open(vehicle.size(), ride.size()) < 0) throw std::runtime_error(live_fault());
   std::mt19937_64 random(1);
   Json draws = Json::array();
-  for (int i = 0; i < 3; ++i) draws.push_back(AnswersAt(Drawn(data->parameters, random), *data));
-  std::cout << Json({{"file", file}, {"coordinates", data->coordinates}, {"vehicle", Base64(bytes)}, {"draws", draws}})
+  for (int i = 0; i < 3; ++i) draws.push_back(AnswersAt(Drawn(data.parameters, random), data, *instruments));
+  std::cout << Json({{"file", file},
+                     {"coordinates", data.coordinates},
+                     {"vehicle", Base64(vehicle)},
+                     {"instruments", Base64(ride)},
+                     {"points", instruments->points.size()},
+                     {"tyres", instruments->loads.size()},
+                     {"dampers", instruments->dampers.size()},
+                     {"draws", draws}})
             << '\n';
 }
 

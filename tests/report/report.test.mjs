@@ -6,7 +6,7 @@ import { after, before, describe, test } from 'node:test';
 import { launch, open } from './browser.mjs';
 import { colouredHeight, coloured, measuredColour, modelColour } from './canvas.mjs';
 import { compare } from './picture.mjs';
-import { changed, fitted } from './runs.mjs';
+import { changed, fitted, fourpost } from './runs.mjs';
 
 /** Gain, phase and residuals of eleven channels, the mean offset of two. */
 const canvasCount = 35;
@@ -42,7 +42,7 @@ describe('the report of a fit to frequency responses', () => {
   test('is no larger than it may be', () => {
     const data = JSON.stringify(JSON.parse(dataOf(report))).length;
     // Beside its data: the bundle, the program in WebAssembly, and the tables as text.
-    assert.ok(statSync(report).size - data < 800_000, `${statSync(report).size} bytes of which ${data} are data`);
+    assert.ok(statSync(report).size - data < 840_000, `${statSync(report).size} bytes of which ${data} are data`);
   });
 
   test('draws measured dots and modelled curves of every channel', async () => {
@@ -391,8 +391,13 @@ test('the report of a fit to time histories opens without a fault', async () => 
   const width = await page.locator('#histories .u-over').first().evaluate((element) => element.clientWidth);
   // Half of the recording.
   assert.ok(Math.abs((await line()) - 0.5 * width) < 0.01 * width);
+  // Modes and ride follow sliders, what was recorded does not.
+  await page.locator('#vehicle .opener').click();
+  await page.waitForSelector('.whatif .ride tbody');
+  assert.match(await page.locator('.whatif').textContent(), /Time histories do not follow/);
+  await page.locator('.whatif button[aria-label=close]').click();
   // A mode is in no recording.
-  await page.locator('#vehicle select').selectOption({ index: 0 });
+  await page.locator('#vehicle select').first().selectOption({ index: 0 });
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   assert.deepEqual(page.faults, []);
   await page.context().close();
@@ -581,3 +586,64 @@ function dataOf(file) {
   const begin = text.indexOf('>', text.indexOf('id="data"')) + 1;
   return text.slice(begin, text.indexOf('</script>', begin));
 }
+
+describe('ride numbers beside the sliders', () => {
+  /** Of the program, by name. */
+  const told = (...words) => new Map(JSON.parse(fourpost('ride', join(run, 'vehicle.urdf'), ...words, '--json')).rides[0].metrics.map(({ name, value }) => [name, value]));
+  /** Rows of the table: name, then the numbers of the fit and now, and the change in percent. */
+  const rows = (page) => page.locator('.whatif .ride tbody tr:has(td)').evaluateAll((all) => all.map((row) => [...row.cells].map(({ textContent }) => textContent)));
+  /** Once a frame has been drawn, and the ride of it. */
+  const settled = async (page) => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await page.waitForSelector('.whatif .ride table[aria-busy=false]');
+  };
+  const number = (text) => Number(text.replace('\u2212', '-').replaceAll('\u2009', ''));
+  /** What the table shows of the program's numbers: three digits. */
+  const agrees = (shown, value, about) => assert.ok(Math.abs(number(shown) - value) <= 0.6 * 10 ** (Math.floor(Math.log10(Math.abs(value))) - 2), `${about}: ${shown} for ${value}`);
+  const compared = (list, column, metrics) => {
+    const felt = list.filter(([name]) => / W[kdbf]$/.test(name));
+    assert.ok(felt.length > 0);
+    for (const row of felt) agrees(row[column], metrics.get(row[0].replace(' ', '.')), row[0]);
+    for (const row of list) {
+      if (metrics.has(`${row[0]}.variation`)) agrees(row[column], 100 * metrics.get(`${row[0]}.variation`), row[0]);
+      if (metrics.has(`${row[0]}.travel`)) agrees(row[column], 1e3 * metrics.get(`${row[0]}.travel`), row[0]);
+    }
+  };
+
+  test('follow a slider, a road and a speed as the program has them', async (t) => {
+    const page = await open(browser, report);
+    await page.locator('#responses .opener').click();
+    await page.waitForSelector('.whatif .ride tbody');
+    assert.match(await page.locator('.whatif .ride summary').textContent(), /^ride on road C at 60 km\/h$/);
+    const atFit = await rows(page);
+    const fit = told('--road', 'C', '--speed', '60km/h');
+    for (const column of [1, 2]) compared(atFit, column, fit);
+    assert.ok(atFit.every((row) => row[3] === '0.0 %'), 'nothing has moved');
+    await page.locator('.whatif .row[data-parameter=k_front] input[type=range]').evaluate((slider) => {
+      for (const type of ['input', 'input', 'change']) {
+        slider.value = 0.5 + 0.5 * Number(slider.value);
+        slider.dispatchEvent(new Event(type, { bubbles: true }));
+      }
+    });
+    await settled(page);
+    const setting = (await page.locator('.whatif .options').inputValue()).split(' ');
+    const now = await rows(page);
+    const moved = told('--road', 'C', '--speed', '60km/h', ...setting);
+    compared(now, 1, fit);
+    compared(now, 2, moved);
+    const [name, , , change] = now[0];
+    const metric = name.replace(' ', '.');
+    assert.ok(Math.abs(number(change.replace(' %', '')) - 100 * (moved.get(metric) / fit.get(metric) - 1)) < 0.051, `${name}: ${change}`);
+    t.diagnostic(`${name}: ${now[0][1]} to ${now[0][2]} m/s^2, ${change}, for ${setting.join(' ')}`);
+    await page.locator('.whatif .ride select').selectOption('B');
+    await page.locator('.whatif .ride input').fill('100');
+    await page.locator('.whatif .ride input').press('Enter');
+    await settled(page);
+    const other = await rows(page);
+    compared(other, 1, told('--road', 'B', '--speed', '100km/h'));
+    compared(other, 2, told('--road', 'B', '--speed', '100km/h', ...setting));
+    assert.match(page.url(), /road=B%3A100/);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+});

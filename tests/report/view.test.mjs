@@ -26,7 +26,7 @@ describe('the page of a vehicle', () => {
     await page.locator('.whatif .row[data-parameter=k] input.number').press('Enter');
     await page.waitForTimeout(500);
     assert.ok((await coloured(page.locator('#responses canvas').first(), [0x8b, 0x3f, 0xb0])) > 100);
-    const shown = await page.locator('.whatif tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent.split('\u2192').pop())));
+    const shown = await page.locator('.whatif .modes tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent.split('\u2192').pop())));
     const printed = JSON.parse(fourpost('modes', car, '--set', 'k=25kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
     // Three digits are shown.
     printed.forEach(({ frequency_Hz }, i) => assert.ok(Math.abs(shown[i] / frequency_Hz - 1) < 0.006));

@@ -90,7 +90,7 @@ describe('sliders', () => {
     await page.waitForTimeout(500);
     const canvas = page.locator('#responses canvas').first();
     const picture = () => canvas.evaluate((one) => one.toDataURL());
-    const modes = () => page.locator('.whatif tbody').allInnerTexts();
+    const modes = () => page.locator('.whatif .modes tbody').allInnerTexts();
     const misfit = () => page.locator('.whatif .misfit').textContent();
     const [before, modesBefore, misfitBefore] = [await picture(), await modes(), await misfit()];
     await set(page, 'k_front', 75);
@@ -113,7 +113,7 @@ describe('sliders', () => {
   test('give the frequencies that the program gives', async () => {
     const page = await opened();
     await set(page, 'k_front', 75);
-    const shown = await page.locator('.whatif tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent.split('\u2192').pop())));
+    const shown = await page.locator('.whatif .modes tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent.split('\u2192').pop())));
     const printed = JSON.parse(fourpost('modes', join(run, 'vehicle.urdf'), '--set', 'k_front=75kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
     assert.equal(shown.length, printed.length);
     // Three digits are shown.
@@ -146,9 +146,9 @@ describe('sliders', () => {
     const page = await opened();
     const option = page.locator('#vehicle select option', { hasText: /^heave,/ });
     const was = await option.textContent();
-    assert.doesNotMatch(await page.locator('.whatif tbody').innerText(), /\u2192/);
+    assert.doesNotMatch(await page.locator('.whatif .modes tbody').innerText(), /\u2192/);
     await set(page, 'k_front', 75);
-    const heave = page.locator('.whatif tbody tr', { hasText: 'heave' });
+    const heave = page.locator('.whatif .modes tbody tr', { hasText: 'heave' });
     for (const column of [1, 2]) assert.match(await heave.locator('td').nth(column).textContent(), /^[\d.]+ \u2192 [\d.]+$/);
     assert.notEqual(await option.textContent(), was);
     await page.context().close();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/numerics/bessel.h"
 #include "vehicles/description/design_poses.h"
 
 namespace fourpost {
@@ -30,7 +31,7 @@ double TrackCoherence(double spatial_frequency, double distance) {
   const double x = 2 * std::numbers::pi * spatial_frequency * distance;
   // K1 runs below all doubles at some 700.
   if (x > 500) return 0;
-  return x > 0 ? x * std::cyl_bessel_k(1, x) : 1;
+  return x > 0 ? x * BesselK1(x) : 1;
 }
 
 double RoadTracks::length() const {

@@ -17,6 +17,9 @@ namespace fourpost {
 struct RideAnswer {
   /// "road C at 60 km/h"
   std::string motion;
+  /// Of its road; empty for another motion.
+  std::string road_class;
+  double speed = 0;
   RideMetrics metrics;
   RideSpectra spectra;
   /// By power spectra; else the engine of the time history.

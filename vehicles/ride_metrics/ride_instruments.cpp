@@ -35,6 +35,8 @@ class Instrumenting {
         poses_(DesignPoses(vehicle)),
         suspension_(SuspensionOf(vehicle, DesignKinematics(vehicle), vehicle.ParameterValues())) {
     instruments_.vehicle = vehicle;
+    instruments_.file_sensors = vehicle.sensors.size();
+    instruments_.tracks = RoadTracksOf(vehicle);
     FindChassis();
     AddPoints(more);
     AddTyres();

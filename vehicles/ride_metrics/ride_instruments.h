@@ -9,6 +9,7 @@
 
 #include "analysis/comfort/weighting.h"
 #include "vehicles/description/vehicle.h"
+#include "vehicles/posts/road_tracks.h"
 
 namespace fourpost {
 
@@ -26,6 +27,9 @@ struct RidePoint {
 struct RideInstruments {
   /// The sensors of the file come first.
   Vehicle vehicle;
+  std::size_t file_sensors = 0;
+  /// Of its posts.
+  RoadTracks tracks;
 
   /// An accelerometer.
   struct Felt {

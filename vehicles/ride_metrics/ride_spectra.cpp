@@ -38,6 +38,13 @@ Eigen::RowVectorXcd Answer(const RandomResponse& response, const RideInstruments
 
 }  // namespace
 
+std::vector<double> WeightedDensity(const RideSpectra& spectra, std::size_t channel, Weighting weighting) {
+  const WeightingFilter filter(weighting);
+  std::vector<double> density = spectra.channels[channel].density;
+  for (std::size_t k = 0; k < density.size(); ++k) density[k] *= std::norm(filter.Response(spectra.frequency_Hz[k]));
+  return density;
+}
+
 RideSpectra SpectraOf(const RideInstruments& instruments, const SpectralGrid& grid, const RandomResponse& response) {
   RideSpectra spectra{.frequency_Hz = grid.frequency_Hz, .channels = {}};
   const Index sources = response.readings.cols() / static_cast<Index>(grid.size());

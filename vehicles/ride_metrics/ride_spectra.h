@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "analysis/comfort/weighting.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/random_response/random_vehicle.h"
 #include "vehicles/ride_metrics/ride_instruments.h"
@@ -22,6 +24,9 @@ struct RideSpectra {
   /// Accelerations of the points, loads of the tyres; unweighted.
   std::vector<Channel> channels;
 };
+
+/// Density of a channel's acceleration as it is felt: times |W|^2.
+std::vector<double> WeightedDensity(const RideSpectra& spectra, std::size_t channel, Weighting weighting);
 
 /// `grid`: of the response.
 RideSpectra SpectraOf(const RideInstruments& instruments, const SpectralGrid& grid, const RandomResponse& response);

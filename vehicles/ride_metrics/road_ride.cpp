@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "vehicles/condensed/modes.h"
 #include "vehicles/ride_metrics/spectral_ride.h"
@@ -42,20 +43,21 @@ double LeastDampingWithin(const CondensedModel& model, double lower_Hz, double u
 
 RoadRide RideOnRoad(const RideInstruments& instruments, const CondensedModel& model, std::span<const double> values,
                     const RoadRequest& request) {
-  const RoadTracks tracks = RoadTracksOf(instruments.vehicle);
   const double damping = LeastDampingWithin(model, request.lower_Hz, request.upper_Hz);
   RoadRide ride;
   std::vector<double> last;
   double refinement = 1;
   for (int k = 0; k <= kMostRefinements; ++k, refinement *= 2) {
-    const SpectralGrid grid = SpectralGrid::For(request.lower_Hz, request.upper_Hz, tracks.length() / request.speed,
-                                                std::max(damping, 1e-3), refinement);
-    const PostSpectra road = RoadSpectra(tracks, request.roughness_m3, request.speed, grid);
+    const SpectralGrid grid =
+        SpectralGrid::For(request.lower_Hz, request.upper_Hz, instruments.tracks.length() / request.speed,
+                          std::max(damping, 1e-3), refinement);
+    const PostSpectra road = RoadSpectra(instruments.tracks, request.roughness_m3, request.speed, grid);
     const RandomVehicle vehicle(model, grid);
-    const RandomResponse response = vehicle.Solve(road);
+    RandomResponse response = vehicle.Solve(road);
     ride.metrics = SpectralRide(instruments, grid, request.duration_s).MetricsOf(model, values, response, road);
     ride.spectra = SpectraOf(instruments, grid, response);
-    ride.gains = BodyGainsOf(instruments, vehicle, response.gains);
+    ride.grid = grid;
+    ride.gains = std::move(response.gains);
     ride.converged = response.converged;
     ride.iterations = response.iterations;
     ride.nonlinear = vehicle.ports().size();

@@ -25,7 +25,9 @@ struct RoadRequest {
 struct RoadRide {
   RideMetrics metrics;
   RideSpectra spectra;
-  std::vector<BodyGain> gains;
+  /// Where these spectra are, and what replaces the nonlinear elements, see RandomResponse.
+  SpectralGrid grid;
+  std::vector<StatisticalGain> gains;
   bool converged = false;
   int iterations = 0;
   /// Number of nonlinear elements.

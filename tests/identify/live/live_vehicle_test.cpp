@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string Bytes(const Vehicle& vehicle) { return BytesOf(CondensedVehicle(vehicle).reduced().data()); }
+ReducedData DataOf(const Vehicle& vehicle) { return CondensedVehicle(vehicle).reduced().data(); }
 
 Excitation InHeave(const Vehicle& vehicle) {
   return {.frequency_Hz = {0.7, 1.5, 3, 8, 14},
@@ -30,7 +30,7 @@ TEST(LiveVehicle, AnswersAsTheModelOfAFit) {
   for (const char* name : {"quarter_car", "landrover110_linkage", "landrover110_model3"}) {
     const Vehicle vehicle = ShippedVehicle(name);
     const Excitation excitation = InHeave(vehicle);
-    LiveVehicle live(Bytes(vehicle));
+    LiveVehicle live(DataOf(vehicle));
     std::vector<double> values = vehicle.ParameterValues();
     values[0] *= 1.1;
     live.Set(values);
@@ -47,7 +47,7 @@ TEST(LiveVehicle, AnswersAsTheModelOfAFit) {
 
 TEST(LiveVehicle, HasTheModesOfItsModel) {
   const Vehicle vehicle = ShippedVehicle("landrover110_linkage");
-  const LiveVehicle live(Bytes(vehicle));
+  const LiveVehicle live(DataOf(vehicle));
   const std::vector<Mode> expected = ModesOf(CondensedVehicle(vehicle).At(vehicle.ParameterValues()));
   const std::vector<Mode> modes = live.Modes();
   ASSERT_EQ(modes.size(), expected.size());
@@ -59,7 +59,7 @@ TEST(LiveVehicle, HasNoResponsesWithHysteresis) {
   const Vehicle vehicle =
       ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies/single_wheel_station/model4.urdf", diagnostics)
           .value();
-  const LiveVehicle live(Bytes(vehicle));
+  const LiveVehicle live(DataOf(vehicle));
   EXPECT_TRUE(live.IsHysteretic());
   for (const ChannelResponse& channel : live.Response(InHeave(vehicle)).channels)
     for (const std::complex<double>& value : channel.response) EXPECT_TRUE(std::isnan(value.real()));
@@ -69,14 +69,14 @@ TEST(LiveVehicle, HasNoResponsesWithHysteresis) {
 /// As a page calls them.
 TEST(LiveCalls, SayWhyTheyRefuse) {
   std::memcpy(live_room(8), "<robot/>", 8);
-  EXPECT_EQ(live_open(8), -1);
+  EXPECT_EQ(live_open(8, 0), -1);
   EXPECT_THAT(live_fault(), HasSubstr("no reduced vehicle"));
   EXPECT_EQ(live_set(0), -1) << "there is no vehicle";
 
   const Vehicle vehicle = ShippedVehicle("quarter_car");
-  const std::string bytes = Bytes(vehicle);
+  const std::string bytes = BytesOf(DataOf(vehicle));
   std::memcpy(live_room(bytes.size()), bytes.data(), bytes.size());
-  EXPECT_EQ(live_open(bytes.size()), static_cast<int>(vehicle.parameters.size()));
+  EXPECT_EQ(live_open(bytes.size(), 0), static_cast<int>(vehicle.parameters.size()));
   live_room(8);
   EXPECT_EQ(live_set(1), -1);
   EXPECT_THAT(live_fault(), HasSubstr("parameters"));

@@ -47,12 +47,13 @@ TEST(RoadRide, GainsAreThoseOfTheLinearResponse) {
   const RoadRide ride = RideOf(car, kRoadC);
   const RideInstruments instruments = InstrumentRide(car);
   const CondensedModel model = CondensedVehicle(instruments.vehicle).At(car.ParameterValues());
-  ASSERT_FALSE(ride.gains.empty());
-  EXPECT_EQ(ride.gains[0].pattern, "heave");
-  const Eigen::MatrixXcd response = LinearResponse(model, ride.gains[0].at_Hz);
+  const std::vector<BodyGain> gains = BodyGainsOf(instruments, RandomVehicle(model, ride.grid), ride.gains);
+  ASSERT_FALSE(gains.empty());
+  EXPECT_EQ(gains[0].pattern, "heave");
+  const Eigen::MatrixXcd response = LinearResponse(model, gains[0].at_Hz);
   const auto centre = static_cast<Eigen::Index>(instruments.chassis->centre);
-  EXPECT_NEAR(ride.gains[0].largest, std::abs(response.row(centre).sum()), 1e-9);
-  EXPECT_GT(ride.gains[0].largest, 1);
+  EXPECT_NEAR(gains[0].largest, std::abs(response.row(centre).sum()), 1e-9);
+  EXPECT_GT(gains[0].largest, 1);
 }
 
 TEST(RoadRide, SpectraIntegrateToTheRms) {

@@ -15,10 +15,10 @@ function noSystem(module) {
 }
 
 /**
- * `program`: WebAssembly, gzip in base 64. `vehicle`: its bytes in base 64. Throws where a browser refuses or lacks
- * what it takes.
+ * `program`: WebAssembly, gzip in base 64. `vehicle`: its bytes in base 64, and those of its ride `instruments`, if it has
+ * some. Throws where a browser refuses or lacks what it takes.
  */
-export async function openVehicle(program, vehicle) {
+export async function openVehicle(program, vehicle, instruments = '') {
   const module = await WebAssembly.compile(await unpacked(program));
   const { exports } = await WebAssembly.instantiate(module, noSystem(module));
   exports._initialize?.();
@@ -35,9 +35,12 @@ export async function openVehicle(program, vehicle) {
   const put = (numbers) => new Float64Array(exports.memory.buffer, exports.live_room(8 * numbers.length), numbers.length).set(numbers);
   const answer = (count) => new Float64Array(exports.memory.buffer, exports.live_answer(), count).slice();
 
-  const bytes = bytesOf(vehicle);
-  new Uint8Array(exports.memory.buffer, exports.live_room(bytes.length), bytes.length).set(bytes);
-  checked(exports.live_open(bytes.length));
+  const parts = [vehicle, instruments].map(bytesOf);
+  const [first, second] = parts.map(({ length }) => length);
+  const room = new Uint8Array(exports.memory.buffer, exports.live_room(first + second), first + second);
+  room.set(parts[0]);
+  room.set(parts[1], first);
+  checked(exports.live_open(first, second));
 
   return {
     /** SI, one per parameter of the vehicle. Whether responses are to be had, which those of a hysteretic one are not. */
@@ -54,6 +57,34 @@ export async function openVehicle(program, vehicle) {
       const all = answer(3 * n * channels);
       const part = (c, k) => all.subarray((3 * c + k) * n, (3 * c + k + 1) * n);
       return Array.from({ length: channels }, (_, c) => ({ re: part(c, 0), im: part(c, 1), mean: part(c, 2) }));
+    },
+
+    /**
+     * Of a road of this `roughness` [m^3] at a `speed` [m/s] within a band [Hz]: of so many points, tyres and dampers
+     * {converged, gridError, points: [{weighted}], tyres: [{variation, rms, offGround}], dampers: [{travel, speed}],
+     * frequency_Hz, density}, SI, `density` the weighted one of each point.
+     */
+    ride({ roughness, speed, band_Hz }, { points, tyres, dampers }) {
+      put([roughness, speed, ...band_Hz]);
+      const n = checked(exports.live_ride());
+      const all = answer(2 + points + 3 * tyres + 2 * dampers + n * (1 + points));
+      let at = 0;
+      const next = (count) => all.subarray(at, (at += count));
+      const each = (count, names) =>
+        Array.from({ length: count }, () => {
+          const numbers = next(names.length);
+          return Object.fromEntries(names.map((name, i) => [name, numbers[i]]));
+        });
+      const [converged, gridError] = next(2);
+      return {
+        converged: converged === 1,
+        gridError,
+        points: each(points, ['weighted']),
+        tyres: each(tyres, ['variation', 'rms', 'offGround']),
+        dampers: each(dampers, ['travel', 'speed']),
+        frequency_Hz: next(n),
+        density: Array.from({ length: points }, () => next(n)),
+      };
     },
 
     /** {kind, frequency_Hz, damping_ratio, pole: [re, im], shape: [re, im, re, ...]} by rising frequency. */

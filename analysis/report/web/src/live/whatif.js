@@ -7,6 +7,7 @@ import { misfitOf, polar, squaresOf } from './misfit.js';
 import { asOptions, inSi, rounded, shareOf, typedValue, valueAt } from './setting.js';
 import { linkMotion } from '../viewer/motion.js';
 import { covarianceOf, resolved } from './resolved.js';
+import { rideTable } from './ride.js';
 import { save } from '../tools.js';
 import { openVehicle } from './vehicle.js';
 import { withValues } from './vehicle_file.js';
@@ -166,7 +167,8 @@ function modeRows(modes) {
  */
 export async function openWhatIf(data, shownRecording, shut) {
   const { parameters } = data.live;
-  const car = new Car(await openVehicle(document.getElementById('program').textContent, data.live.vehicle), data);
+  const vehicle = await openVehicle(document.getElementById('program').textContent, data.live.vehicle, data.live.ride?.instruments);
+  const car = new Car(vehicle, data);
   const fit = parameters.map(({ value }) => value);
   const settings = { A: [...fit], B: [...fit] };
   const past = [];
@@ -189,6 +191,7 @@ export async function openWhatIf(data, shownRecording, shut) {
   const modes = el('tbody');
   const options = el('input', { type: 'text', readOnly: true, 'aria-label': 'options of the program', class: 'options' });
   const undo = el('button', { type: 'button', onclick: () => { if (past.length) take(past.pop(), false); } }, 'undo');
+  const ride = rideTable(data.live.ride, vehicle, inSi(parameters, fit), () => ask());
   const rows = parameters.map((parameter, i) => row(parameter, (value, rests) => set(i, value, rests), (text) => type(i, text)));
 
   const values = () => settings[chosen];
@@ -197,12 +200,13 @@ export async function openWhatIf(data, shownRecording, shut) {
     frame = null;
     const begin = performance.now();
     try {
-      const now = car.at(inSi(parameters, values()), rests ? undefined : [shownRecording()]);
-      fault.textContent = now.responses ? (data.result.responses?.some(({ engine }) => engine === 'full') ? fullGeometry() : '') : hysteretic;
+      const si = inSi(parameters, values());
+      const now = car.at(si, rests ? undefined : [shownRecording()]);
+      fault.textContent = now.responses ? (data.result.responses?.some(({ engine }) => engine === 'full') ? fullGeometry() : '') : car.recordings.length ? hysteretic : '';
       // All recordings together weigh the model; while a slider moves, the one in view.
       if (rests && now.responses) misfit.textContent = fromFit(car.misfit(now));
       modes.replaceChildren(...modeRows(now.modes));
-      tellAnswer({ ...now, rests });
+      tellAnswer({ ...now, ride: ride.follow(si, rests), rests });
     } catch (error) {
       fault.textContent = `Not possible: ${error.message}`;
     }
@@ -300,10 +304,20 @@ export async function openWhatIf(data, shownRecording, shut) {
           ask();
         })
       : null,
-    el('div', { class: 'rows' }, ...(split < 0 ? boxes : boxes.slice(0, split))),
-    further.length ? el('details', { open: split === 0 }, el('summary', {}, split === 0 ? 'parameters' : 'not fitted'), el('div', { class: 'rows' }, ...further)) : null,
-    el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'damping ratio'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
+    el(
+      'div',
+      { class: 'given' },
+      el('div', { class: 'rows' }, ...(split < 0 ? boxes : boxes.slice(0, split))),
+      further.length ? el('details', { open: split === 0 }, el('summary', {}, split === 0 ? 'parameters' : 'not fitted'), el('div', { class: 'rows' }, ...further)) : null,
+    ),
+    el(
+      'div',
+      { class: 'found' },
+      el('table', { class: 'modes' }, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'damping ratio'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
+      ride.box,
+    ),
     el('div', { class: 'copy' }, options, el('button', { type: 'button', onclick: copy }, 'copy')),
+    data.histories?.length ? el('p', { class: 'note' }, 'Time histories do not follow: the page lacks the full motion of their posts.') : null,
     data.live.file ? el('div', { class: 'copy' }, el('button', { type: 'button', onclick: saveVehicle }, 'save as vehicle file')) : null,
     el('p', { class: 'note' }, split === 0 ? 'On each track: dot the value of the file.' : `On each track: dot the fit, line the start, band the interval of ${confidence}. Where others follow the data, those that you moved are held, and all others go where the fit would put them, by its Jacobian.`),
   );

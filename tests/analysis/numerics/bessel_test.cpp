@@ -1,0 +1,18 @@
+#include "analysis/numerics/bessel.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace fourpost {
+namespace {
+
+TEST(BesselK1, IsThatOfTheStandardLibraryToRounding) {
+  for (double x = 1e-6; x < 600; x *= 1.05) EXPECT_NEAR(BesselK1(x) / std::cyl_bessel_k(1, x), 1, 1e-14) << x;
+}
+
+// DLMF 10.30.2.
+TEST(BesselK1, GrowsAsTheInverseNearZero) { EXPECT_NEAR(1e-9 * BesselK1(1e-9), 1, 1e-14); }
+
+}  // namespace
+}  // namespace fourpost

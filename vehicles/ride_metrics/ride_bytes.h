@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "vehicles/ride_metrics/ride_instruments.h"
+
+namespace fourpost {
+
+/// What RideOnRoad() needs of instruments beside their reduced vehicle, as bytes, see reduced_bytes.h.
+std::string BytesOf(const RideInstruments& instruments);
+
+/// The vehicle in them has no more than the names and laws of tyres, dampers and springs. Throws std::invalid_argument
+/// for bytes that BytesOf() of this version has not written.
+RideInstruments RideInstrumentsOf(std::string_view bytes);
+
+}  // namespace fourpost
