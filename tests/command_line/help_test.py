@@ -1,4 +1,5 @@
 """Help, manual page and completion tell the same commands and options; what is misspelt is told."""
+import functools
 import os
 import re
 import shutil
@@ -8,19 +9,24 @@ import unittest
 from program import FOURPOST, SOURCE, ProgramTest
 
 
+@functools.cache
+def help_of(*command):
+    """As each test would ask for it once more."""
+    return subprocess.run([FOURPOST, *command, "--help"], capture_output=True, text=True, check=True).stdout
+
+
 class Help(ProgramTest):
     def commands(self):
-        text = self.run_program("--help").stdout
+        text = help_of()
         return re.findall(r"^  ([a-z]+)  ", text[text.index("Subcommands:"):], re.M)
 
     def options(self, command):
-        return set(re.findall(r"(?<![\w-])--[a-z-]+", re.sub(r"Examples:.*", "",
-                   self.run_program(command, "--help").stdout, flags=re.S)))
+        return set(re.findall(r"(?<![\w-])--[a-z-]+", re.sub(r"Examples:.*", "", help_of(command), flags=re.S)))
 
     def test_has_examples_for_every_command(self):
         self.assertGreater(len(self.commands()), 13)
         for command in self.commands():
-            text = self.run_program(command, "--help").stdout
+            text = help_of(command)
             self.assertRegex(text, f"Examples:\n  .*fourpost {command}", command)
 
     def test_has_examples_that_run(self):
@@ -41,7 +47,7 @@ class Help(ProgramTest):
         programs.mkdir()
         (programs / "fourpost").symlink_to(FOURPOST)
         environment = {**os.environ, "HOME": str(self.folder), "PATH": f"{programs}:{os.environ['PATH']}"}
-        examples = {command: re.findall("^  (.+)", self.run_program(command, "--help").stdout.split("Examples:")[1], re.M)
+        examples = {command: re.findall("^  (.+)", help_of(command).split("Examples:")[1], re.M)
                     for command in self.commands()}
         # What makes files that others take comes first.
         order = ["init", "simulate", "fit"]
@@ -198,9 +204,9 @@ class Help(ProgramTest):
                          max(map(len, self.on_terminal("fit", "--help", COLUMNS="60").splitlines()[:9])))
 
     def test_is_a_command_too(self):
-        self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
+        self.assertEqual(self.run_program("help").stdout, help_of())
         for command in self.commands():
-            self.assertEqual(self.run_program("help", command).stdout, self.run_program(command, "--help").stdout)
+            self.assertEqual(self.run_program("help", command).stdout, help_of(command))
         text = self.run_program("help", "output-is-input").stdout
         self.assertTrue(text.startswith("output-is-input, error\n"))
         self.assertIn("Remedy\n", text)

@@ -270,8 +270,9 @@ class Validation(ProgramTest):
         # Posts that go to the moon.
         lines = lines.replace("sweep_12mm", "sweep_7mm").replace(
             "{ground: z_ground}", "{ground: {channel: z_ground, scale: 1e9}}\n    use: validation")
+        text = text.replace("evaluations: 60", "evaluations: 5")
         (folder / "study.yaml").write_text(text.replace("\nsearch:", lines + "\nsearch:"))
-        outcome = self.run_program("fit", folder / "study.yaml", "-o", "run")
+        outcome = self.run_program("fit", folder / "study.yaml", "-o", "run", "--no-suggest")
         result = json.loads((self.folder / "run/result.json").read_text())
         for kind in ("validation-left-out", "history-not-predicted"):
             self.assertRegex(outcome.stderr, f"'sweep_7mm.*\\[{kind}\\]")

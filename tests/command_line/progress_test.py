@@ -13,11 +13,17 @@ import unittest
 
 from program import FOURPOST, SOURCE, ProgramTest
 
-FIT = ["fit", SOURCE / "studies/landrover110/full.yaml", "-o", "run"]
+FIT = ["fit", "endless.yaml", "-o", "run", "--threads", "1"]
 COMPARE = ["compare", SOURCE / "studies/landrover110/model2.yaml", "--runs", "1000"]
 
 
 class Progress(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        folder = SOURCE / "studies/landrover110"
+        text = (folder / "model2.yaml").read_text().replace("file: ", f"file: {folder}/").replace("../..", str(SOURCE))
+        self.write("endless.yaml", text.replace("evaluations: 100\n", "evaluations: 100000\n  generations: 100000\n"))
+
     def start(self, words, stderr, **environment):
         program = subprocess.Popen([FOURPOST, *map(str, words)], cwd=self.folder, stdout=subprocess.DEVNULL,
                                    stderr=stderr, env={**os.environ, **environment})

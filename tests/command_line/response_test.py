@@ -184,11 +184,11 @@ class Warnings(ResponseTest):
 
 class Unanswered(ResponseTest):
     def test_frequencies_are_named(self):
-        outcome = self.respond(CAR, "--frequencies 3Hz --engine time -o none",
+        outcome = self.respond(CAR, "--frequencies 0.8Hz --engine time -o none",
                                "--set c_bump=1N*s/m --set c_rebound=1N*s/m", code=4)
         for part in ("outside its bounds", "heave: no answer at 1 of 1 ", "[frequencies-unanswered]"):
             self.assertIn(part, outcome.stderr)
-        self.assertIn("no answer at 3.00 Hz: heave at 3 Hz, 7.96 mm has no periodic motion within 60 s", outcome.stdout)
+        self.assertIn("no answer at 0.800 Hz: heave at 0.8 Hz, 12 mm has no periodic motion within 60 s", outcome.stdout)
         self.assertIn("no periodic motion within 60 s", self.result("none")["modes"][0]["unanswered"][0]["why"])
         self.assertNotIn("nan", self.read("none/response.svg"))
 

@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from program import FOURPOST, SOURCE, Archive, ProgramTest
+from program import FOURPOST, SOURCE, Archive, ProgramTest, drop_swept_sine
 
 VEHICLE = "urdf/landrover110_linkage.urdf"
 # Somebody whom permissions hold off, which they do not do with root.
@@ -42,6 +42,7 @@ class ResumeTest(ProgramTest):
         cls.make_kept()
         for part in ("urdf", "meshes", os.path.dirname(cls.study)):
             shutil.copytree(SOURCE / part, cls.kept / part)
+        drop_swept_sine(cls.kept / cls.study)
         maker = cls()
         maker.folder = cls.kept
         for old, new in cls.changes.items():

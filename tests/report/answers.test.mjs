@@ -2,19 +2,13 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { faultsOf } from './axe.mjs';
-import { launch, open, root } from './browser.mjs';
+import { close, open, root } from './browser.mjs';
 import { coloured, modelColour } from './canvas.mjs';
 import { fourpost, scratch } from './runs.mjs';
 import { alone, saved } from './standing.mjs';
 
-let browser;
-
-before(async () => {
-  browser = await launch();
-});
-after(() => browser?.close());
 
 const car = (name) => join(root, 'urdf', `${name}.urdf`);
 
@@ -34,15 +28,15 @@ function table(folder, name) {
 const dataOf = (folder) => JSON.parse(readFileSync(join(folder, 'report.html'), 'utf8').match(/id="data">(.*?)<\/script>/s)[1]);
 
 /** Opens the page of a folder, checks what every page must be, and gives what `look` finds. */
-async function look(folder, act) {
-  const page = await open(browser, join(folder, 'report.html'));
+async function look(folder, act, options = {}) {
+  const page = await open(join(folder, 'report.html'), options);
   await act(page);
   assert.deepEqual(page.faults, []);
   assert.deepEqual(await faultsOf(page), []);
   await page.setViewportSize({ width: 390, height: 800 });
   await page.waitForTimeout(200);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it is no wider than a telephone');
-  await page.context().close();
+  await close(page);
 }
 
 /** The vehicle is drawn, and its caption says this. */
@@ -96,7 +90,7 @@ describe('the page of responses', () => {
       assert.ok(Math.abs(Number(await row.locator('td').nth(2).textContent()) / largest - 1) < 1e-3);
       assert.ok((await coloured(page.locator('#responses canvas').first(), modelColour)) > 100);
       const picture = await saved(page, page.locator('#responses .menu').first(), 'SVG');
-      assert.ok((await alone(browser, picture.bytes)).words.includes('model'), 'what was not fitted is no fit');
+      assert.ok((await alone(picture.bytes)).words.includes('model'), 'what was not fitted is no fit');
       await moves(page, /./);
       await page.locator('#responses .opener').click();
       await page.waitForSelector('.whatif');
@@ -156,7 +150,7 @@ describe('the page of kinematics', () => {
       assert.notEqual(await picture(), before);
       await page.locator('#vehicle select').selectOption({ label: 'rear roll' });
       await page.locator('.viewer .caption', { hasText: /^rear roll 0\.0 mm/ }).waitFor();
-    });
+    }, { webgl: true });
   });
 });
 

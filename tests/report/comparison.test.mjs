@@ -1,8 +1,8 @@
 // Pages that compare runs, and methods of search, in a browser.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
-import { launch, open } from './browser.mjs';
+import { before, describe, test } from 'node:test';
+import { close, open } from './browser.mjs';
 import { coloured, measuredColour, modelColour } from './canvas.mjs';
 import { compare } from './picture.mjs';
 import { changed, compared, fitted, methods } from './runs.mjs';
@@ -11,14 +11,11 @@ import { changed, compared, fitted, methods } from './runs.mjs';
 const canvasCount = 24;
 const hostile = '</script><b class="hostile">x</b>';
 
-let browser;
 let run;
 
-before(async () => {
-  browser = await launch();
+before(() => {
   run = fitted('landrover110/model2.yaml');
 });
-after(() => browser?.close());
 
 describe('a comparison of runs', () => {
   let file;
@@ -29,7 +26,7 @@ describe('a comparison of runs', () => {
   });
 
   test('overlays what the runs share', async () => {
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.deepEqual(page.faults, []);
     for (const id of ['summary', 'errors', 'parameters', 'responses', 'histories']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
     assert.match(await page.locator('.verdict').textContent(), /^model\d fits best: .* predict(s best| alike): .*Recommended: model/);
@@ -55,22 +52,22 @@ describe('a comparison of runs', () => {
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     assert.deepEqual(await page.locator('#responses .u-over').first().boundingBox(), box);
     assert.match(await reading.textContent(), /^[\d.]+ Hz: \S+, [^\s/]+\/\S+ dB, \S+, [^\s/]+\/\S+\u00b0$/);
-    const close = await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL());
+    const busiest = await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL());
     await page.locator('#histories button', { hasText: /^all$/ }).click();
-    assert.ok((await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL())) !== close);
+    assert.ok((await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL())) !== busiest);
     assert.equal(await page.locator('#parameters table').last().locator('thead th').count(), 4);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('is readable without JavaScript and on a narrow screen', async () => {
-    const plain = await open(browser, file, { javaScript: false });
+    const plain = await open(file, { javaScript: false });
     assert.equal(await plain.locator('#summary tbody tr').count(), 2);
-    await plain.context().close();
-    const page = await open(browser, file, { width: 390, height: 800 });
+    await close(plain);
+    const page = await open(file, { width: 390, height: 800 });
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(width <= 390, `the page is ${width} wide`);
-    await page.context().close();
+    await close(page);
   });
 
   test('shows a hostile name as text', async () => {
@@ -86,16 +83,16 @@ describe('a comparison of runs', () => {
       write('response.csv', read('response.csv').replaceAll('a_body_front', quoted).replaceAll(/^bounce/gm, quoted));
     };
     const folders = ['hostile run', 'another hostile run'].map((name) => join(changed(run, name, makeHostile), '..'));
-    const page = await open(browser, compared('hostile comparison', ...folders));
+    const page = await open(compared('hostile comparison', ...folders));
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('.hostile').count(), 0, 'no element comes of a name');
     assert.match(await page.locator('#responses .legend span').nth(1).textContent(), /<b class="hostile">x/);
     assert.equal(await page.locator('#responses .chart code').first().textContent(), hostile);
-    await page.context().close();
+    await close(page);
   });
 
   test('overlays dampers', async () => {
-    const page = await open(browser, compared('dampers', ...['model1', 'model2'].map((model) => fitted(`damper/${model}.yaml`))));
+    const page = await open(compared('dampers', ...['model1', 'model2'].map((model) => fitted(`damper/${model}.yaml`))));
     assert.deepEqual(page.faults, []);
     const canvases = page.locator('#bench canvas');
     assert.equal(await canvases.count(), 3);
@@ -111,26 +108,26 @@ describe('a comparison of runs', () => {
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     assert.equal(await cut(), 0);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   for (const [name, id] of [['comparison_light', 'summary'], ['compared_responses_light', 'responses']])
     test(`looks as it did: ${name}`, async () => {
-      const page = await open(browser, file);
+      const page = await open(file);
       await page.evaluate((section) => document.getElementById(section).scrollIntoView({ behavior: 'instant' }), id);
       const fault = compare(name, await page.screenshot());
       assert.equal(fault, null, fault);
-      await page.context().close();
+      await close(page);
     });
 });
 
 test('a comparison of methods shows when they succeed', async () => {
-  const page = await open(browser, methods('test_problems/oscillator.yaml', 'dvhde,de,simplex', 10));
+  const page = await open(methods('test_problems/oscillator.yaml', 'dvhde,de,simplex', 10));
   assert.deepEqual(page.faults, []);
   assert.match(await page.locator('.verdict').textContent(), /^dvhde solved it in 10 of 10 runs, at \d\d\.\d evaluations per success; next simplex/);
   assert.equal(await page.locator('#summary tbody tr').count(), 3);
   assert.ok((await page.locator('#summary svg').first().boundingBox()).width > 600);
   const fault = compare('methods_light', await page.screenshot());
   assert.equal(fault, null, fault);
-  await page.context().close();
+  await close(page);
 });

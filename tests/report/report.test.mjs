@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
-import { launch, open } from './browser.mjs';
+import { before, describe, test } from 'node:test';
+import { close, open } from './browser.mjs';
 import { colouredHeight, coloured, measuredColour, modelColour } from './canvas.mjs';
 import { compare } from './picture.mjs';
 import { changed, fitted, fourpost } from './runs.mjs';
@@ -12,7 +12,6 @@ import { changed, fitted, fourpost } from './runs.mjs';
 const canvasCount = 35;
 const hostile = '</script><b class="hostile">x</b>';
 
-let browser;
 let run;
 let report;
 
@@ -22,21 +21,19 @@ async function viewed(page) {
   await page.locator('.viewer .caption', { hasText: /./ }).waitFor();
 }
 
-before(async () => {
-  browser = await launch();
+before(() => {
   run = fitted('landrover110/model2.yaml');
   report = join(run, 'report.html');
 });
-after(() => browser?.close());
 
 describe('the report of a fit to frequency responses', () => {
   test('opens from disk without a fault and asks for nothing', async () => {
-    const page = await open(browser, report);
+    const page = await open(report, { webgl: true });
     assert.deepEqual(page.faults, []);
     assert.equal(await page.title(), 'landrover110_linkage \u2013 fourpost report');
     for (const id of ['summary', 'parameters', 'vehicle', 'responses', 'residuals', 'histories', 'loads', 'determination', 'modes', 'search'])
       assert.equal(await page.locator(`section#${id}`).count(), 1, id);
-    await page.context().close();
+    await close(page);
   });
 
   test('is no larger than it may be', () => {
@@ -46,7 +43,7 @@ describe('the report of a fit to frequency responses', () => {
   });
 
   test('draws measured dots and modelled curves of every channel', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#responses button', { hasText: 'all frequencies' }).click();
     const charts = page.locator('#responses .chart');
     assert.equal(await charts.count(), 11);
@@ -61,11 +58,11 @@ describe('the report of a fit to frequency responses', () => {
         assert.ok((await coloured(canvases.nth(k), modelColour)) > 100, `curve of chart ${i}`);
       }
     }
-    await page.context().close();
+    await close(page);
   });
 
   test('leads from its worst channel to the chart', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const link = page.locator('[data-worst]');
     const name = await link.textContent();
     const [, recording] = /worst at [\d.]+\u2013[\d.]+ Hz in (\w+)/.exec(await page.locator('.tile', { has: link }).textContent());
@@ -76,21 +73,21 @@ describe('the report of a fit to frequency responses', () => {
     const { top, bottom } = await page.locator(`#responses .chart[data-channel="${name}"]`).evaluate((chart) => chart.getBoundingClientRect().toJSON());
     assert.ok(top < 900 && bottom > 0, `${top}`);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('shows another recording when asked', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const before = await page.locator('#responses canvas').first().evaluate((canvas) => canvas.toDataURL());
     await page.locator('#responses button', { hasText: 'pitch' }).click();
     const after = await page.locator('#responses canvas').first().evaluate((canvas) => canvas.toDataURL());
     assert.ok(before !== after);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('reads all channels at one cursor', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const first = page.locator('#responses .u-over').first();
     await first.scrollIntoViewIfNeeded();
     const box = await first.boundingBox();
@@ -100,11 +97,11 @@ describe('the report of a fit to frequency responses', () => {
     const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: [^\s/]+\/\S+ dB, [^\s/]+\/\S+\u00b0(?:, [^\s/]+\/\S+ mm)?$/.exec(text)?.[1]));
     assert.equal(frequencies.size, 1, readings.join('\n'));
     assert.ok(![...frequencies].includes(undefined), readings[0]);
-    await page.context().close();
+    await close(page);
   });
 
   test('reads above the names, which stay, as all charts do', async () => {
-    const page = await open(browser, report, { width: 1240 });
+    const page = await open(report, { width: 1240 });
     const first = page.locator('#responses .u-over').first();
     await first.scrollIntoViewIfNeeded();
     const boxes = (what) => page.locator(`#responses ${what}`).evaluateAll((all) => all.map((one) => one.getBoundingClientRect().toJSON()));
@@ -116,11 +113,11 @@ describe('the report of a fit to frequency responses', () => {
     assert.deepEqual(await boxes('.chart'), before);
     const words = [...(await boxes('h3 code')), ...(await boxes('canvas')), ...(await boxes('.note'))];
     for (const reading of readings) for (const other of words) assert.ok(areApart(reading, other), JSON.stringify([reading, other]));
-    await page.context().close();
+    await close(page);
   });
 
   test('zooms to what is in view, and back', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const over = page.locator('#responses .u-over').first();
     const canvas = page.locator('#responses canvas').first();
     await over.scrollIntoViewIfNeeded();
@@ -139,11 +136,11 @@ describe('the report of a fit to frequency responses', () => {
     await page.mouse.move(5, 5);
     assert.equal(await colouredHeight(canvas, modelColour, 0), whole, 'a double click goes back');
     assert.equal(await colouredHeight(canvas, modelColour, 0.55), height, 'of frequency too');
-    await page.context().close();
+    await close(page);
   });
 
   test('tells residuals of the fitted band from its rows alone', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#residuals button', { hasText: '%' }).click();
     const rows = await page.locator('#residuals table').first().locator('tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => [cell.textContent, cell.classList.contains('unfitted')])));
     assert.deepEqual(rows[0].slice(1), [['0.5\u20131', false], ['1\u20132', false], ['2\u20134', false], ['4\u20138', false], ['8\u201312', false], ['12\u201316', true], ['16\u201332', true]]);
@@ -164,11 +161,11 @@ describe('the report of a fit to frequency responses', () => {
         // A ring marks what is next to a node.
         assert.ok(Math.abs(Number(text.replace('\u25cb', '')) - percent) < (percent < 10 ? 0.051 : 0.51), `${channel}, ${edges[k]} Hz: ${text} for ${percent}`);
       });
-    await page.context().close();
+    await close(page);
   });
 
   test('draws what was kept for validation, told as such', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const charts = page.locator('#histories .chart');
     assert.equal(await charts.count(), 11);
     for (let k = 0; k < 11; ++k)
@@ -176,11 +173,11 @@ describe('the report of a fit to frequency responses', () => {
     assert.match(await page.locator('#histories').textContent(), /bounce_sweep: validation, not fitted\. .* All 29933 samples\./);
     assert.match(await charts.first().textContent(), /NMSE [\d.]+ %/);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('says how large a mode is drawn, and what 0 dB is', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await viewed(page);
     const caption = page.locator('.viewer .caption');
     const size = async () => Number(/, scaled to ([\d.]+) mm/.exec(await caption.textContent())?.[1]);
@@ -189,11 +186,11 @@ describe('the report of a fit to frequency responses', () => {
     // Of the slider's 4^0.5; both at two digits.
     assert.ok(Math.abs((await size()) / before - 2) < 0.1, `${before} before ${await size()}`);
     assert.match(await page.locator('#responses .note').filter({ hasText: '0 dB' }).textContent(), /0 dB: acceleration equal to that of the post, displacement equal to its motion, force of 1 N per m of its motion\./);
-    await page.context().close();
+    await close(page);
   });
 
   test('moves the vehicle: plays, pauses, scrubs', async () => {
-    const page = await open(browser, report);
+    const page = await open(report, { webgl: true });
     await viewed(page);
     const canvas = page.locator('.viewer canvas');
     await canvas.scrollIntoViewIfNeeded();
@@ -210,11 +207,11 @@ describe('the report of a fit to frequency responses', () => {
     await scrub.fill('0');
     assert.ok((await picture()) === still, 'the phase alone tells the picture');
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('shows every mode, and responses at each frequency', async () => {
-    const page = await open(browser, report);
+    const page = await open(report, { webgl: true });
     await viewed(page);
     const select = page.locator('#vehicle select');
     const options = await select.locator('option').allTextContents();
@@ -235,40 +232,36 @@ describe('the report of a fit to frequency responses', () => {
     assert.notEqual(await caption.textContent(), before);
     for (const view of ['side', 'front', 'top', 'corner']) await page.locator('#vehicle button', { hasText: view }).click();
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('is readable without JavaScript', async () => {
-    const page = await open(browser, report, { javaScript: false });
+    const page = await open(report, { javaScript: false });
     await page.locator('.verdict', { hasText: 'The fit converged.' }).waitFor();
     assert.equal(await page.locator('#parameters tbody tr').count(), 12);
     // Eleven channels that were fitted, eleven of the swept sine that was not, and what eleven allow without physics.
     assert.equal(await page.locator('#responses tbody tr').count(), 33);
     assert.equal(await page.locator('#modes tbody tr').count(), 4);
     for (const id of ['responses', 'residuals', 'histories']) assert.match(await page.locator(`#${id} noscript`).textContent(), /JavaScript/, id);
-    await page.context().close();
+    await close(page);
   });
 
   test('shows the vehicle by its edges without WebGL', async () => {
-    const plain = await launch({ webgl: false });
-    try {
-      const page = await open(plain, report);
-      await viewed(page);
-      assert.equal(await page.evaluate(() => document.createElement('canvas').getContext('webgl2')), null);
-      const canvas = page.locator('.viewer canvas');
-      assert.ok((await coloured(canvas, modelColour)) > 200, 'springs');
-      const still = await canvas.evaluate((element) => element.toDataURL());
-      await page.locator('input.scrub').fill('120');
-      assert.ok((await canvas.evaluate((element) => element.toDataURL())) !== still, 'the vehicle moves');
-      assert.equal(await page.locator('#responses canvas').count(), canvasCount);
-      assert.deepEqual(page.faults, []);
-    } finally {
-      await plain.close();
-    }
+    const page = await open(report);
+    await viewed(page);
+    assert.equal(await page.evaluate(() => document.createElement('canvas').getContext('webgl2')), null);
+    const canvas = page.locator('.viewer canvas');
+    assert.ok((await coloured(canvas, modelColour)) > 200, 'springs');
+    const still = await canvas.evaluate((element) => element.toDataURL());
+    await page.locator('input.scrub').fill('120');
+    assert.ok((await canvas.evaluate((element) => element.toDataURL())) !== still, 'the vehicle moves');
+    assert.equal(await page.locator('#responses canvas').count(), canvasCount);
+    assert.deepEqual(page.faults, []);
+    await close(page);
   });
 
   test('changes to dark and back', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     assert.equal(await ground(), 'rgb(255, 255, 255)');
     await page.locator('#theme').click();
@@ -277,11 +270,11 @@ describe('the report of a fit to frequency responses', () => {
     await page.emulateMedia({ media: 'print' });
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     assert.equal(await ground(), 'rgb(255, 255, 255)', 'paper is white');
-    await page.context().close();
+    await close(page);
   });
 
   test('fits a narrow screen', async () => {
-    const page = await open(browser, report, { width: 390, height: 800 });
+    const page = await open(report, { width: 390, height: 800 });
     await viewed(page);
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(width <= 390, `the page is ${width} wide`);
@@ -293,11 +286,11 @@ describe('the report of a fit to frequency responses', () => {
     const heights = await page.locator('#parameters tbody tr').evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().height));
     // Text is 15 px high; two lines would take 40.
     for (const height of heights) assert.ok(height < 36, `a row is ${height} high`);
-    await page.context().close();
+    await close(page);
   });
 
   test('knows where the mouse is after the page moved under it', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const readings = await page.evaluate(() => {
       const over = document.querySelector('#responses .u-over');
       const reading = document.querySelector('#responses .reading');
@@ -313,11 +306,11 @@ describe('the report of a fit to frequency responses', () => {
     });
     assert.match(readings[0], /^[\d.]+ Hz: /);
     assert.equal(readings[1], readings[0]);
-    await page.context().close();
+    await close(page);
   });
 
   test('keeps a zoom when the colours change', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const over = page.locator('#responses .u-over').first();
     await over.scrollIntoViewIfNeeded();
     const box = await over.boundingBox();
@@ -332,7 +325,7 @@ describe('the report of a fit to frequency responses', () => {
     assert.ok(zoomed !== whole);
     for (let k = 0; k < 2; ++k) await page.locator('#theme').click();
     assert.ok((await picture()) === zoomed);
-    await page.context().close();
+    await close(page);
   });
 });
 
@@ -341,7 +334,7 @@ describe('pictures', () => {
     ['summary_light', {}, 'summary'],
     // That of README.md.
     ['report_light', { width: 960, height: 1020 }, null],
-    ['vehicle_light', {}, 'vehicle'],
+    ['vehicle_light', { webgl: true }, 'vehicle'],
     ['responses_light', {}, 'responses'],
     ['responses_dark', { dark: true }, 'responses'],
     ['parameters_narrow', { width: 390, height: 800 }, 'parameters'],
@@ -350,19 +343,19 @@ describe('pictures', () => {
     ['search_light', {}, 'search'],
   ])
     test(name, async () => {
-      const page = await open(browser, report, options);
+      const page = await open(report, options);
       if (id) await page.evaluate((section) => document.getElementById(section).scrollIntoView({ behavior: 'instant' }), id);
       if (id === 'vehicle') await viewed(page);
       // The vehicle's first frame, and fonts.
       await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
       const fault = compare(name, await page.screenshot());
       assert.equal(fault, null, fault);
-      await page.context().close();
+      await close(page);
     });
 });
 
 test('the report of a fit to time histories opens without a fault', async () => {
-  const page = await open(browser, join(fitted('single_wheel_station/model2.yaml'), 'report.html'));
+  const page = await open(join(fitted('single_wheel_station/model2.yaml'), 'report.html'), { webgl: true });
   await viewed(page);
   assert.deepEqual(page.faults, []);
   assert.equal(await page.locator('#histories .chart').count(), 5);
@@ -400,13 +393,13 @@ test('the report of a fit to time histories opens without a fault', async () => 
   await page.locator('#vehicle select').first().selectOption({ index: 0 });
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   assert.deepEqual(page.faults, []);
-  await page.context().close();
+  await close(page);
 });
 
 test('the labels of a pole map keep apart', async () => {
-  for (const folder of [run, fitted('single_wheel_station/model1.yaml')])
+  for (const folder of [run, fitted('single_wheel_station/model2.yaml')])
     for (const width of [1240, 390]) {
-      const page = await open(browser, join(folder, 'report.html'), { width, height: 900 });
+      const page = await open(join(folder, 'report.html'), { width, height: 900 });
       const labels = await page.locator('#modes svg text').evaluateAll((texts) =>
         texts.map((text) => ({ words: text.textContent, ...text.getBoundingClientRect().toJSON() })),
       );
@@ -414,18 +407,18 @@ test('the labels of a pole map keep apart', async () => {
       assert.ok(labels.length > 8, `${labels.length} labels`);
       for (const [i, one] of labels.entries())
         for (const other of labels.slice(i + 1)) assert.ok(areApart(one, other), `'${one.words}' over '${other.words}' at ${width} px in ${folder}`);
-      await page.context().close();
+      await close(page);
     }
 });
 
 test('the report of a fit of one parameter speaks of one', async () => {
-  const page = await open(browser, join(fitted('damper/model1.yaml'), 'report.html'));
+  const page = await open(join(fitted('damper/model1.yaml'), 'report.html'));
   const text = await page.locator('#determination').textContent();
   assert.match(text, /One parameter was fitted/);
   assert.doesNotMatch(text, /together/);
   assert.match(await page.locator('#summary').textContent(), /The one parameter is determined/);
   assert.match(await page.locator('footer').textContent(), /^Made by fourpost \d+\.\d+\.\d+ on \d{4}-\d\d-\d\d of /);
-  await page.context().close();
+  await close(page);
 });
 
 describe('reports of other runs', () => {
@@ -443,14 +436,14 @@ describe('reports of other runs', () => {
       const quoted = `"${hostile.replaceAll('"', '""')}"`;
       write('response.csv', read('response.csv').replaceAll('a_body_front', quoted).replaceAll(/^bounce/gm, quoted));
     });
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('.hostile').count(), 0, 'no element comes of a name');
     assert.equal(await page.locator('h1').textContent(), hostile);
     assert.equal(await page.locator('#parameters tbody td').first().textContent(), hostile);
     assert.equal(await page.locator('#responses .chart code').first().textContent(), hostile);
     assert.equal(await page.locator('#responses button').first().textContent(), hostile);
-    await page.context().close();
+    await close(page);
   });
 
   test('a run of an older version shows what it has', async () => {
@@ -461,11 +454,11 @@ describe('reports of other runs', () => {
       const rows = read('response.csv').trim().split('\n').map((row) => row.split(',').slice(0, 12).join(','));
       write('response.csv', `${rows.join('\n')}\n`);
     });
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('#parameters tbody tr').count(), 12);
     assert.equal(await page.locator('#responses canvas').count(), canvasCount);
-    await page.context().close();
+    await close(page);
   });
 
   test('a run of a newer version shows what is understood', async () => {
@@ -479,12 +472,12 @@ describe('reports of other runs', () => {
         change(result);
         write('result.json', JSON.stringify(result));
       });
-      const page = await open(browser, file);
+      const page = await open(file);
       assert.deepEqual(page.faults, [], name);
       assert.equal(await page.locator('#responses canvas').count(), canvasCount);
       assert.doesNotMatch(await page.locator('main').textContent(), /could not be drawn/);
       for (const section of await page.locator('main > section').all()) assert.ok((await section.locator(':scope > :not(h2)').allTextContents()).join('') || (await section.locator('canvas').count()), await section.getAttribute('id'));
-      await page.context().close();
+      await close(page);
     }
   });
 
@@ -498,7 +491,7 @@ describe('reports of other runs', () => {
       write('result.json', JSON.stringify(result));
       remove('vehicle.urdf');
     });
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.deepEqual(page.faults, []);
     assert.match(await page.locator('.verdict').textContent(), /interrupted/);
     // The reason once, and no sign before nothing.
@@ -506,7 +499,7 @@ describe('reports of other runs', () => {
     for (const id of ['parameters', 'determination']) assert.match(await page.locator(`#${id}`).textContent(), /ended before standard deviations could be computed/);
     assert.match(await page.locator('#vehicle').textContent(), /vehicle\.urdf is missing/);
     assert.equal(await page.locator('#responses canvas').count(), canvasCount);
-    await page.context().close();
+    await close(page);
   });
 
   test('time histories are drawn, long ones thinned', async () => {
@@ -524,7 +517,7 @@ describe('reports of other runs', () => {
       write('history.csv', `${rows.join('\n')}\n`);
       remove('response.csv');
     });
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('#histories .chart').count(), 2);
     assert.match(await page.locator('#histories').textContent(), /All 60000 samples/);
@@ -539,7 +532,7 @@ describe('reports of other runs', () => {
     await page.mouse.up();
     // Not notEqual, which would print both pictures.
     assert.ok((await canvas.evaluate((element) => element.toDataURL())) !== before, 'dragging zooms');
-    await page.context().close();
+    await close(page);
   });
 
   test('damper diagrams are drawn', async () => {
@@ -558,7 +551,7 @@ describe('reports of other runs', () => {
       write('bench.csv', `${rows.join('\n')}\n`);
       remove('response.csv');
     });
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.deepEqual(page.faults, []);
     const canvases = page.locator('#bench canvas');
     assert.equal(await canvases.count(), 2);
@@ -571,7 +564,7 @@ describe('reports of other runs', () => {
     assert.equal(await page.locator('#bench canvas').count(), 4);
     assert.equal(await page.locator('#bench output').textContent(), 'NMSE 1.5 %, fitted');
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 });
 

@@ -2,8 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { require } from './browser.mjs';
+import { close, open, require } from './browser.mjs';
 import { scratch } from './runs.mjs';
 
 const { PNG } = require('pngjs');
@@ -29,15 +28,13 @@ export async function saved(page, menu, kind) {
  * plain colours, for viewers know neither variables nor functions of colours, and few know baselines. Its words, and
  * `coloured(rgb)`: how many pixels have about this colour.
  */
-export async function alone(browser, bytes) {
+export async function alone(bytes) {
   const text = bytes.toString();
   assert.match(text, /^<svg [^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
   assert.doesNotMatch(text, /var\(|color-mix|color\(|rgba?\(|currentcolor|system-ui|dominant-baseline|<image|<style| class=| style=|NaN|undefined/i);
   const file = join(scratch, 'alone.svg');
   writeFileSync(file, bytes);
-  const context = await browser.newContext({ viewport: { width: 1200, height: 1000 }, offline: true });
-  const page = await context.newPage();
-  await page.goto(pathToFileURL(file).href);
+  const page = await open(file, { width: 1200, height: 1000, whenReady: false });
   const words = await page.evaluate(() => {
     const { width, height } = document.documentElement.getBoundingClientRect();
     return [...document.querySelectorAll('text')].map((one) => {
@@ -49,6 +46,6 @@ export async function alone(browser, bytes) {
   assert.ok(said.length > 3, 'it has words');
   for (const one of said) assert.ok(one.inside && one.size >= 8, JSON.stringify(one));
   const shot = PNG.sync.read(await page.screenshot());
-  await context.close();
+  await close(page);
   return { words: said.map((one) => one.words), coloured: (rgb) => count(shot, rgb) };
 }

@@ -1,25 +1,19 @@
 // Pages of vehicles that were never fitted, in a browser.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { faultsOf } from './axe.mjs';
-import { launch, open, root } from './browser.mjs';
+import { close, open, root } from './browser.mjs';
 import { coloured } from './canvas.mjs';
 import { fourpost, scratch } from './runs.mjs';
 
-let browser;
-
-before(async () => {
-  browser = await launch({ webgl: false });
-});
-after(() => browser?.close());
 
 describe('the page of a vehicle', () => {
   test('that was never fitted moves by sliders', async () => {
     const file = join(scratch, 'car.html');
     const car = join(root, 'urdf', 'quarter_car.urdf');
     fourpost('view', car, '--frequencies', '0.5Hz:20Hz:30', '-o', file);
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.equal(await page.locator('h1').textContent(), 'quarter_car');
     await page.locator('#responses .opener').click();
     await page.locator('.whatif .row[data-parameter=k] input.number').fill('25');
@@ -32,6 +26,6 @@ describe('the page of a vehicle', () => {
     printed.forEach(({ frequency_Hz }, i) => assert.ok(Math.abs(shown[i] / frequency_Hz - 1) < 0.006));
     assert.deepEqual(page.faults, []);
     assert.deepEqual(await faultsOf(page), []);
-    await page.context().close();
+    await close(page);
   });
 });

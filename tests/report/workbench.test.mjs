@@ -2,23 +2,20 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { before, describe, test } from 'node:test';
 import { faultsOf } from './axe.mjs';
-import { launch, open } from './browser.mjs';
+import { close, open } from './browser.mjs';
 import { coloured, measuredColour, modelColour } from './canvas.mjs';
 import { changed, compared, fitted, fourpost, scratch } from './runs.mjs';
 import { alone, saved } from './standing.mjs';
 
-let browser;
 let run;
 let report;
 
-before(async () => {
-  browser = await launch({ webgl: false });
+before(() => {
   run = fitted('landrover110/model2.yaml');
   report = join(run, 'report.html');
 });
-after(() => browser?.close());
 
 /** The download that an action begins: its name and text. */
 async function downloaded(page, act) {
@@ -34,7 +31,7 @@ function rowsOf(recording, channel) {
 
 describe('errors', () => {
   test('stand below each response in standard deviations, as the fit weighs them', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const chart = page.locator('#responses .chart[data-channel="a_cg"]');
     await chart.locator('.menu summary').click();
     const { bytes } = await downloaded(page, () => chart.locator('.menu button', { hasText: 'CSV' }).click());
@@ -55,11 +52,11 @@ describe('errors', () => {
       assert.ok(Math.abs(shown) <= most * 1.001 + 1e-4 && shown * along >= 0, `${shown} of ${most}`);
     });
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('lead from a cell of their map to the curve, in its recording and octave', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const cell = page.locator('#residuals table').nth(1).locator('tbody tr', { hasText: 's_strut_front' }).locator('button').first();
     assert.match(await cell.getAttribute('aria-label'), /^s_strut_front in pitch, 0\.5 to 1 Hz: [\d.]+ sd/);
     await cell.click();
@@ -72,21 +69,21 @@ describe('errors', () => {
       return top > 0 && bottom < innerHeight;
     });
     assert.match(page.url(), /recording=pitch/);
-    await page.context().close();
+    await close(page);
   });
 
   test('are told by mode as well, and next to a node they are marked', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#residuals button', { hasText: 'by mode' }).click();
     const heads = await page.locator('#residuals table').first().locator('thead th').allTextContents();
     for (const mode of ['heave', 'pitch', 'front hop', 'rear hop']) assert.ok(heads.some((head) => head.startsWith(mode)), `${heads}`);
     // In pitch the middle of the car nearly rests.
     assert.ok((await page.locator('#residuals table').nth(1).locator('tbody tr', { hasText: 'a_cg' }).locator('sup').count()) > 0);
-    await page.context().close();
+    await close(page);
   });
 
   test('are seen at one look, above the prose', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const boxes = page.locator('#summary .maps rect');
     // Two recordings of eleven channels.
     assert.ok((await boxes.count()) > 500);
@@ -94,13 +91,13 @@ describe('errors', () => {
     const map = await page.locator('#summary .maps').boundingBox();
     assert.ok(map.y + map.height <= verdict.y + 1 && map.y + map.height < 900, 'on the first screen');
     assert.equal(await page.locator('[data-worst]').textContent(), 's_strut_front');
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('charts', () => {
   test('are enlarged, and with Escape as they were', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const chart = page.locator('#responses .chart').first();
     const before = await chart.boundingBox();
     await chart.locator('.tools > button').click();
@@ -109,15 +106,15 @@ describe('charts', () => {
     await page.keyboard.press('Escape');
     await page.waitForTimeout(100);
     assert.deepEqual((await chart.boundingBox()).height, before.height);
-    await page.context().close();
+    await close(page);
   });
 
   test('are saved as PNG, and as SVG that stands alone', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const menu = page.locator('#responses .chart').first().locator('.menu');
     const { name, bytes } = await saved(page, menu, 'SVG');
     assert.equal(name, 'bounce_a_body_front.svg');
-    const { words, coloured: pixels } = await alone(browser, bytes);
+    const { words, coloured: pixels } = await alone(bytes);
     for (const said of ['bounce a_body_front', 'measured', 'fit', 'gain, dB, over Hz']) assert.ok(words.includes(said), said);
     assert.ok((bytes.toString().match(/<path/g) ?? []).length > 20, 'as vectors');
     // As many dots and lines as on the page, which is of the same size.
@@ -131,19 +128,19 @@ describe('charts', () => {
     assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG');
     assert.ok(png.bytes.length > 20_000);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('in the dark are saved on a ground of their own', async () => {
-    const page = await open(browser, report, { dark: true });
+    const page = await open(report, { dark: true });
     const { bytes } = await saved(page, page.locator('#responses .chart').first().locator('.menu'), 'SVG');
-    const { coloured: pixels } = await alone(browser, bytes);
+    const { coloured: pixels } = await alone(bytes);
     assert.ok(pixels([0x14, 0x18, 0x1b]) > 40_000);
-    await page.context().close();
+    await close(page);
   });
 
   test('that are drawn otherwise are saved likewise, with their numbers', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const result = JSON.parse(readFileSync(join(run, 'result.json'), 'utf8'));
     const names = result.parameters.map(({ name }) => name);
     for (const [place, file, rows, told] of [
@@ -154,7 +151,7 @@ describe('charts', () => {
       const menu = page.locator(`${place} .menu`).first();
       const picture = await saved(page, menu, 'SVG');
       assert.equal(picture.name, `${file}.svg`);
-      const { words } = await alone(browser, picture.bytes);
+      const { words } = await alone(picture.bytes);
       for (const said of told) assert.ok(words.includes(said), `${said} of ${file}: ${words}`);
       const table = await saved(page, menu, 'CSV');
       const lines = table.bytes.toString().trim().split('\n');
@@ -162,11 +159,11 @@ describe('charts', () => {
       assert.ok(lines.length > 4 && lines.every((line) => line.split(',').length === lines[0].split(',').length));
     }
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('are read by keys, and as a table', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const over = page.locator('#responses .u-over').first();
     await over.focus();
     assert.match(await over.getAttribute('aria-label'), /^gain of a_body_front over frequency$/);
@@ -180,11 +177,11 @@ describe('charts', () => {
     await chart.locator('.menu summary').click();
     await chart.locator('.menu button', { hasText: 'numbers' }).click();
     assert.equal(await chart.locator('.numbers tbody tr').count(), rowsOf('bounce', 'a_body_front').length);
-    await page.context().close();
+    await close(page);
   });
 
   test('on paper are vectors, of every recording', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.waitForTimeout(500);
     await page.emulateMedia({ media: 'print' });
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
@@ -199,13 +196,13 @@ describe('charts', () => {
     await page.evaluate(() => dispatchEvent(new Event('afterprint')));
     assert.equal(await vectors.count(), 0);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('tables', () => {
   test('sort by their heads and go back', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const table = page.locator('#parameters table').first();
     const names = () => table.locator('tbody tr td:first-child').allTextContents();
     const before = await names();
@@ -217,11 +214,11 @@ describe('tables', () => {
     await head.click();
     await head.click();
     assert.deepEqual(await names(), before);
-    await page.context().close();
+    await close(page);
   });
 
   test('are copied as spreadsheets take them', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     await page.locator('#parameters .copytable').first().click();
     const text = await page.evaluate(() => navigator.clipboard.readText());
@@ -229,24 +226,24 @@ describe('tables', () => {
     assert.equal(rows.length, 13);
     assert.equal(rows[1][0], 'm_sprung');
     assert.ok(rows.every((row) => row.length === rows[0].length));
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('the head', () => {
   test('says what was tested, where, when and by whom', async () => {
     const file = changed(run, 'about', ({ read, write }) => write('study.yaml', `${read('study.yaml')}\nabout: {car: <b>Defender</b>, rig: four-post 2, date: 2024-05-17, operator: A. Miller}\n`));
-    const page = await open(browser, file);
+    const page = await open(file);
     assert.equal(await page.locator('h1').textContent(), '<b>Defender</b>');
     assert.equal(await page.locator('header .facts').first().textContent(), 'landrover110_linkage\u00b7four-post 2\u00b72024-05-17\u00b7A. Miller');
     assert.match(await page.title(), /^<b>Defender<\/b> /);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('an address', () => {
   test('leads another reader to what was chosen', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#responses button', { hasText: 'pitch' }).click();
     await page.locator('#responses button', { hasText: 'all frequencies' }).click();
     const url = page.url();
@@ -260,11 +257,11 @@ describe('an address', () => {
     await page.locator('#contents a', { hasText: 'Modes' }).click();
     await page.waitForFunction(() => location.hash.startsWith('#modes&recording=pitch'));
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('leads to a car of other values, and to its motion', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.goto('about:blank');
     await page.goto(`file://${encodeURI(report)}#responses&whatif=k_front%3A70`);
     await page.waitForSelector('.whatif');
@@ -275,13 +272,13 @@ describe('an address', () => {
     assert.equal(await page.locator('#modes .moved path').count(), 4);
     await page.locator('#vehicle').scrollIntoViewIfNeeded();
     await page.locator('.viewer .caption', { hasText: /^what if: heave, 1\.8/ }).waitFor();
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('sliders', () => {
   const opened = async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#responses .opener').click();
     await page.waitForSelector('.whatif');
     return page;
@@ -304,7 +301,7 @@ describe('sliders', () => {
     assert.equal(await field(page, k).inputValue(), '60');
     assert.match(await page.locator('.whatif .held').allTextContents().then((all) => all.join()), /k_front/);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 
   test('give a vehicle file that the program reads', async () => {
@@ -312,19 +309,19 @@ describe('sliders', () => {
     await field(page, 'k_front').fill('61.5');
     await field(page, 'k_front').press('Enter');
     const [download] = await Promise.all([page.waitForEvent('download'), page.locator('.whatif button', { hasText: 'save as vehicle file' }).click()]);
-    const file = join(run, 'whatif.urdf');
+    const file = join(scratch, 'whatif.urdf');
     await download.saveAs(file);
     const values = new Map(JSON.parse(fourpost('params', file, '--json')).parameters.map(({ name, value }) => [name, value]));
     const fit = new Map(JSON.parse(fourpost('params', join(run, 'vehicle.urdf'), '--json')).parameters.map(({ name, value }) => [name, value]));
     assert.ok(Math.abs(values.get('k_front') - 61500) < 1e-6);
     for (const [name, value] of fit) if (name !== 'k_front') assert.equal(values.get(name), value, name);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('the measured car', () => {
   test('is said to be missing where a motion has none', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const box = page.locator('#vehicle label', { hasText: 'measured car' });
     const select = page.locator('#vehicle select');
     await select.selectOption('mode 0');
@@ -334,11 +331,11 @@ describe('the measured car', () => {
     assert.ok(await box.locator('input').isEnabled());
     await select.selectOption('history 0');
     assert.match(await box.textContent(), /no measured motion here/);
-    await page.context().close();
+    await close(page);
   });
 
   test('is drawn over the modelled one where sensors saw it', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#vehicle').scrollIntoViewIfNeeded();
     await page.locator('.viewer .caption', { hasText: /./ }).waitFor();
     const canvas = page.locator('.viewer canvas');
@@ -356,7 +353,7 @@ describe('the measured car', () => {
     await page.keyboard.press('ArrowLeft');
     assert.ok((await picture()) !== before, 'arrow keys turn the vehicle');
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 });
 
@@ -369,7 +366,7 @@ describe('histories', () => {
     // 22 columns of 29933 samples: 0.9 MB; thinned to a quarter they took 1.8 MB.
     const size = JSON.stringify(sweep).length;
     assert.ok(size < 1_100_000, `${size}`);
-    const page = await open(browser, report);
+    const page = await open(report);
     const chart = page.locator('#histories .chart').first();
     await chart.locator('.menu summary').click();
     const { bytes } = await downloaded(page, () => chart.locator('.menu button', { hasText: 'CSV' }).click());
@@ -382,11 +379,11 @@ describe('histories', () => {
       assert.ok(Math.abs(lines[i][1] - rows[i][2]) <= (0.51 * most) / 32767, `row ${i}`);
       assert.ok(Math.abs(lines[i][0] - rows[i][1]) < 3e-6);
     }
-    await page.context().close();
+    await close(page);
   });
 
   test('have spectra, and the coherence of model and measurement', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#histories button', { hasText: 'spectra' }).click();
     await page.locator('#histories .note', { hasText: 'Power spectra' }).waitFor();
     assert.equal(await page.locator('#histories .chart').count(), 11);
@@ -396,16 +393,16 @@ describe('histories', () => {
     await page.locator('#histories button', { hasText: /^all$/ }).click();
     await page.locator('#histories .note', { hasText: 'Over time' }).waitFor();
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('a damper', () => {
   test('has its equivalents over frequency and a map of errors that leads to recordings', async () => {
-    const page = await open(browser, join(fitted('damper/model2.yaml'), 'report.html'));
+    const page = await open(join(fitted('damper/model2.yaml'), 'report.html'));
     const pictures = page.locator('#bench .picture svg');
     assert.equal(await pictures.count(), 4);
-    const cycles = readFileSync(join(scratch, 'damper_model2.yaml', 'cycles.csv'), 'utf8').trim().split('\n').slice(1);
+    const cycles = readFileSync(join(fitted('damper/model2.yaml'), 'cycles.csv'), 'utf8').trim().split('\n').slice(1);
     // A mark of each cycle.
     assert.equal(await pictures.first().locator('circle').count(), cycles.length);
     await pictures.first().locator('circle', { hasText: /^sine_20Hz_1\.3mm/ }).first().click({ force: true });
@@ -416,13 +413,13 @@ describe('a damper', () => {
     assert.ok((await coloured(page.locator('#bench .chart.whole canvas').nth(1), modelColour)) > 200, 'the residual of the force');
     assert.deepEqual(page.faults, []);
     assert.deepEqual(await faultsOf(page), []);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('a comparison', () => {
   test('says of pairs what differs beyond chance, and which parameters contradict each other', async () => {
-    const page = await open(browser, compared('pairs', fitted('landrover110/model1.yaml'), run));
+    const page = await open(compared('pairs', fitted('landrover110/model1.yaml'), run));
     const caption = await page.locator('#errors caption').textContent();
     const [, better, worse, alike] = /^(\d+) better than model1, (\d+) worse, (\d+) that cannot be distinguished\.$/.exec(caption).map(Number);
     assert.equal(better + worse + alike, await page.locator('#errors table').last().locator('tbody tr').count());
@@ -435,13 +432,13 @@ describe('a comparison', () => {
     assert.match(await page.locator('#parameters .note').first().textContent(), /contradict/);
     assert.deepEqual(page.faults, []);
     assert.deepEqual(await faultsOf(page), []);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('another report', () => {
   test('that is dropped on the page is compared at once', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const green = [0x1d, 0x8a, 0x5b];
     const canvas = page.locator('#responses canvas').first();
     const before = await coloured(canvas, green);
@@ -463,30 +460,30 @@ describe('another report', () => {
     assert.equal(await page.locator('#responses .dropped').count(), 0);
     assert.ok((await coloured(canvas, green)) <= before + 20, 'its curves are gone');
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('a cell of the map of residuals', () => {
   test('leads to its frequencies, and a button back to all', async () => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const back = page.locator('#responses .back');
     assert.ok(await back.isHidden());
     await page.locator('#summary .maps rect').first().click();
     assert.ok(await back.isVisible());
     await back.click();
     assert.ok(await back.isHidden());
-    await page.context().close();
+    await close(page);
   });
 });
 
 describe('pictures of the program', () => {
   test('take the theme', async () => {
     for (const [dark, ground] of [[false, 'rgb(255, 255, 255)'], [true, 'rgb(20, 24, 27)']]) {
-      const page = await open(browser, report, { dark });
+      const page = await open(report, { dark });
       const rect = page.locator('#missing-force .picture svg > rect').first();
       assert.equal(await rect.evaluate((one) => getComputedStyle(one).fill), ground);
-      await page.context().close();
+      await close(page);
     }
   });
 });
@@ -494,28 +491,28 @@ describe('pictures of the program', () => {
 describe('whoever reads it', () => {
   for (const [name, options] of [['in light', {}], ['in the dark', { dark: true }], ['on a telephone', { width: 390, height: 800 }]])
     test(`finds nothing that axe refuses: ${name}`, async () => {
-      const page = await open(browser, report, options);
+      const page = await open(report, options);
       await page.locator('#vehicle').scrollIntoViewIfNeeded();
       await page.locator('.viewer .caption', { hasText: /./ }).waitFor();
       await page.locator('#responses .opener').click();
       await page.waitForSelector('.whatif');
       assert.deepEqual(await faultsOf(page), []);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-      await page.context().close();
+      await close(page);
     });
 
   test('has the section in view marked in the contents, also on a telephone', async () => {
-    const page = await open(browser, report, { width: 390, height: 800 });
+    const page = await open(report, { width: 390, height: 800 });
     await page.evaluate(() => document.getElementById('search').scrollIntoView({ behavior: 'instant' }));
     const link = page.locator('#contents a.here', { hasText: 'Search' });
     await link.waitFor();
     const box = await link.boundingBox();
     assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
-    await page.context().close();
+    await close(page);
   });
 
   test('sees it soon, and what is not in view later', async (t) => {
-    const page = await open(browser, report);
+    const page = await open(report);
     const ready = await page.evaluate(() => performance.now());
     t.diagnostic(`ready after ${ready.toFixed(0)} ms`);
     assert.equal(await page.locator('.viewer .caption').textContent(), '', 'nothing is drawn yet');
@@ -524,6 +521,6 @@ describe('whoever reads it', () => {
     await page.locator('#vehicle').scrollIntoViewIfNeeded();
     await page.locator('.viewer .caption', { hasText: /./ }).waitFor();
     assert.equal(await below(), before, 'nothing moves when it is drawn');
-    await page.context().close();
+    await close(page);
   });
 });
