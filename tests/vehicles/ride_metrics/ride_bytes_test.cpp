@@ -29,7 +29,9 @@ TEST(RideBytes, KeepAllThatARideNeeds) {
     ASSERT_EQ(numbers.size(), expected.size()) << name;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       EXPECT_EQ(numbers[i].name, expected[i].name);
-      if (!std::isnan(expected[i].value)) EXPECT_EQ(numbers[i].value, expected[i].value) << expected[i].name;
+      EXPECT_EQ(std::isnan(numbers[i].value), std::isnan(expected[i].value)) << expected[i].name;
+      if (std::isnan(expected[i].value)) continue;
+      EXPECT_EQ(numbers[i].value, expected[i].value) << expected[i].name;
     }
   }
 }
