@@ -37,7 +37,10 @@ class CsvParser {
     if (good_) CheckNames();
     // Without a header no row can be right.
     if (!good_) return std::nullopt;
-    while (scanner_.Next(record_)) AddRow();
+    while (scanner_.Next(record_)) {
+      if (IsCutOff()) ReportCutOff();
+      else AddRow();
+    }
     if (good_ && table_.rows() == 0) Fault(0, {&kCsvNoRows});
     if (good_) DropEmptyColumns();
     if (!good_) return std::nullopt;
@@ -48,6 +51,8 @@ class CsvParser {
   CsvParser(std::string_view text, const CsvStart& start, std::string file, Diagnostics& diagnostics)
       : dialect_(DialectOf(text.substr(start.at))),
         scanner_(text.substr(start.at), dialect_.separator, start.line),
+        size_(text.size() - start.at),
+        ends_with_line_(text.ends_with('\n')),
         diagnostics_(diagnostics) {
     table_.file_ = std::move(file);
     table_.dialect_ = dialect_;
@@ -187,6 +192,17 @@ class CsvParser {
     if (IsRowGood()) Keep();
   }
 
+  /// The last line of a file whose writing ended within a row.
+  bool IsCutOff() const {
+    return !ends_with_line_ && scanner_.at() == size_ && table_.rows() > 0 && !record_.fault &&
+           record_.fields.size() + (ends_with_comment_ ? 1 : 0) < table_.columns();
+  }
+
+  void ReportCutOff() {
+    diagnostics_.Report(kCsvLastRowCut, {table_.file_, record_.line},
+                        {Count(record_.fields.size(), "field"), std::to_string(table_.columns())});
+  }
+
   void Keep() {
     table_.lines_.push_back(record_.line);
     std::move(record_.fields.begin(), record_.fields.end(), std::back_inserter(table_.fields_));
@@ -205,6 +221,8 @@ class CsvParser {
 
   CsvDialect dialect_;
   CsvScanner scanner_;
+  std::size_t size_;
+  bool ends_with_line_;
   Diagnostics& diagnostics_;
   CsvTable table_;
   CsvRecord record_;

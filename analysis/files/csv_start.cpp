@@ -90,10 +90,15 @@ struct TablePlace {
 /// By the first rows with one number of fields, which no line right above them has without being their header.
 std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
   for (std::size_t i = 1; i + kFewestRows <= lines.size(); ++i) {
-    const std::size_t columns = lines[i].fields;
-    const auto is_row = [&](const LineOfText& line) { return line.is_row && line.fields == columns; };
     const auto first = lines.begin() + static_cast<std::ptrdiff_t>(i);
-    if (columns < 2 || !std::all_of(first, first + kFewestRows, is_row)) continue;
+    const auto is_shorter = [](const LineOfText& a, const LineOfText& b) { return a.fields < b.fields; };
+    const auto [least, most] = std::minmax_element(first, first + kFewestRows, is_shorter);
+    const std::size_t columns = least->fields;
+    // Some rows may have a comment behind the numbers, in a column that has a name.
+    const bool are_alike = most->fields == columns || (most->fields == columns + 1 && lines[i - 1].is_header &&
+                                                       lines[i - 1].fields == most->fields);
+    const auto is_row = [](const LineOfText& line) { return line.is_row; };
+    if (columns < 2 || !are_alike || !std::all_of(first, first + kFewestRows, is_row)) continue;
     // A column of comments may have a name and nothing below it.
     const auto is_header = [&](std::size_t k) {
       return lines[k].is_header && (lines[k].fields == columns || lines[k].fields == columns + 1);

@@ -55,6 +55,10 @@ inline const Finding kCsvWithoutNames{
     "--post column2=FL --unit column2=mm for `fourpost frf`"};
 inline const Finding kCsvNoRows{"csv-no-rows", Severity::kError, "no rows below the header",
                                 "add one row of numbers for each sample or frequency"};
+inline const Finding kCsvLastRowCut{
+    "last-row-cut", Severity::kWarning,
+    "the file ends within its last row, which has {} of {} and no line end, so that row is left out",
+    "record again if more than this row is missing", Weight::kSlight};
 inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row has {}, the header {}",
                                    "write one field for each column name"};
 inline const Finding kCsvNotANumber{"csv-not-a-number", Severity::kError, "{} '{}' is not a finite number",
@@ -156,6 +160,10 @@ inline const Finding kTimeStepsBack{
 inline const Finding kTimeDoesNotRise{"time-does-not-rise", Severity::kError,
                                       "time does not rise from sample to sample",
                                       "write the time of each sample in its unit"};
+inline const Finding kTimeTooCoarse{
+    "time-too-coarse", Severity::kError,
+    "times have too few digits: most are equal to the one before, {} samples in {}, about {} samples a second",
+    "export times with fractions of a second, or write a column of times of the recorder's rate"};
 inline const Finding kTimeStepUneven{
     "time-step-uneven", Severity::kError,
     "time goes from {} to {}, but the usual step is {}, and samples must be evenly spaced",

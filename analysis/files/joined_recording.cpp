@@ -31,8 +31,11 @@ void Join(const TimeRecording& part, double delay_s, std::span<const std::size_t
     if (!channel.empty())
       channel = {channel.begin() + static_cast<std::ptrdiff_t>(first),
                  channel.begin() + static_cast<std::ptrdiff_t>(last)};
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i) {
     whole.channels[places[i]] = InterpolatedAt(times, part.channels[i], grid);
+    for (const BridgedGap& gap : part.gaps[i])
+      whole.gaps[places[i]].push_back({gap.from_s - delay_s, gap.to_s - delay_s});
+  }
   samples = grid.size();
   if (grid.empty()) return;
   whole.start_s = grid.front();
@@ -63,7 +66,11 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
   TimeRecording whole = *first;
   std::size_t samples = first->samples();
   whole.channels.assign(wanted.size(), {});
-  for (std::size_t i = 0; i < own.size(); ++i) whole.channels[own[i]] = std::move(first->channels[i]);
+  whole.gaps.assign(wanted.size(), {});
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    whole.channels[own[i]] = std::move(first->channels[i]);
+    whole.gaps[own[i]] = std::move(first->gaps[i]);
+  }
   for (const OtherFile& other : preparation.others) {
     const std::optional<RecordedTable> beside = ReadRecordedTable(other.path, diagnostics);
     if (!beside) return std::nullopt;

@@ -6,12 +6,16 @@
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/signals/dead_signal.h"
 #include "analysis/signals/drift.h"
 #include "analysis/signals/median.h"
 #include "analysis/signals/signal_levels.h"
 
 namespace fourpost {
 namespace {
+
+/// Of the levels of a channel, its rms where it moves.
+constexpr double kMoving = 20;
 
 /// NaN for what is no finite number.
 std::vector<double> Values(const RecordedTable& table, std::size_t column) {
@@ -143,6 +147,7 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
   const TrendLine trend = TrendOf(values);
   summary.drift = trend.last - trend.first;
   summary.level = LevelOf(values);
+  summary.is_dead = IsDead(values);
   const std::size_t top = ClippedAtTop(values, summary.level);
   const std::size_t bottom = ClippedAtBottom(values, summary.level);
   if (top + bottom < kFewestClipped) return;
@@ -191,6 +196,12 @@ RecordingSummary Summarise(const RecordedTable& table) {
     if (column != times && !table.HoldsText(column))
       summary.columns.push_back(
           SummariseColumn(table, column, summary.time ? summary.time->rate_Hz : 0, stretch, rest));
+  // Where all are at rest none is dead.
+  const auto moves = [](const ColumnSummary& one) {
+    return one.unit_known && one.level > 0 && one.rms > kMoving * one.level;
+  };
+  if (std::none_of(summary.columns.begin(), summary.columns.end(), moves))
+    for (ColumnSummary& one : summary.columns) one.is_dead = false;
   if (!summary.time) return summary;
   summary.rest = rest.Longest();
   constexpr std::size_t kFewest = 64;

@@ -30,6 +30,8 @@ struct ColumnSummary {
   double rms = 0;
   /// See LevelOf.
   double level = 0;
+  /// See IsDead; false where no other column moves.
+  bool is_dead = false;
   /// See ClippedAtTop and ClippedAtBottom; 0 below kFewestClipped in all.
   std::size_t clipped_top = 0;
   std::size_t clipped_bottom = 0;

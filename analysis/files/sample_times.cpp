@@ -36,7 +36,10 @@ class TimeCheck {
     const double usual = Median(steps);
     if (DoStepBack(steps))
       if (const std::optional<std::string> even = EvenlyRising(table_)) return Refused(kTimeStepsBack, 0, {*even});
-    if (!(usual > 0)) return Refused(kTimeDoesNotRise, 0);
+    if (!(usual > 0)) {
+      const Found fault = FaultOfStanding(times_);
+      return Refused(*fault.kind, 0, fault.words);
+    }
     if (!AreEven(steps, usual)) return std::nullopt;
     const double step = (times_.back() - times_.front()) / static_cast<double>(steps.size());
     return DoDrift(step) ? std::nullopt : std::optional(step);
@@ -84,6 +87,14 @@ std::vector<double> StepsOf(const std::vector<double>& times) {
   std::vector<double> steps(times.empty() ? 0 : times.size() - 1);
   for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
   return steps;
+}
+
+Found FaultOfStanding(const std::vector<double>& times) {
+  const double duration_s = times.back() - times.front();
+  if (!std::is_sorted(times.begin(), times.end()) || !(duration_s > 0)) return {&kTimeDoesNotRise, {}};
+  return {&kTimeTooCoarse,
+          {std::to_string(times.size()), SecondsText(duration_s),
+           FormatNumber(std::round(static_cast<double>(times.size()) / duration_s))}};
 }
 
 bool DoStepBack(const std::vector<double>& steps) {

@@ -6,6 +6,7 @@
 
 #include "analysis/files/recorded_table.h"
 #include "analysis/text/diagnostics.h"
+#include "analysis/text/found.h"
 
 namespace fourpost {
 
@@ -20,6 +21,9 @@ std::vector<double> StepsOf(const std::vector<double>& times);
 
 /// Whether times step back more than here and there.
 bool DoStepBack(const std::vector<double>& steps);
+
+/// Of times of which most are equal to the one before.
+Found FaultOfStanding(const std::vector<double>& times);
 
 /// Of a table's evenly spaced times, [s]. Reports fewer than four, those that step back or stand, gaps, and steps that
 /// add up to another rate; nothing when there was one.

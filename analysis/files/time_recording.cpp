@@ -46,6 +46,7 @@ class RecordReader {
       recording.channels.push_back(Column(channel));
       lengths.push_back(recording.channels.back().size());
     }
+    recording.gaps.resize(wanted.size());
     if (preparation.IsGridded()) PutOnGrid(wanted, times, lengths, preparation, recording);
     else recording.step_s = CheckTimes(wanted, times, lengths);
     if (!good_) return std::nullopt;
@@ -194,7 +195,11 @@ class RecordReader {
     if (times.size() < 4) return Fault(kTooFewSamples, 0, {std::to_string(times.size())});
     const std::vector<double> steps = StepsOf(times);
     const double usual = Median(steps);
-    if (!(usual > 0) || DoStepBack(steps)) return Fault(kTimeDoesNotRise, 0);
+    if (DoStepBack(steps)) return Fault(kTimeDoesNotRise, 0);
+    if (!(usual > 0)) {
+      const Found fault = FaultOfStanding(times);
+      return Fault(*fault.kind, 0, fault.words);
+    }
     const double rate_Hz = preparation.rate_Hz.value_or(1 / usual);
     constexpr double kSame = 0.99;
     if (rate_Hz < kSame / usual) return Fault(kResampledBelow, 0, {FormatNumber(rate_Hz), Rate(1 / usual)});
@@ -207,7 +212,8 @@ class RecordReader {
     recording.end_s = grid.back();
     const double longest_s = std::max(preparation.bridge_s, kJitter * usual);
     for (std::size_t i = 0; i < wanted.size(); ++i)
-      recording.channels[i] = OnGrid(wanted[i], times, recording.channels[i], grid, usual, longest_s);
+      recording.channels[i] =
+          OnGrid(wanted[i], times, recording.channels[i], grid, usual, longest_s, recording.gaps[i]);
     if (!good_) return;
     if (preparation.rate_Hz) recording.preparations.push_back("resampled to " + FormatNumber(rate_Hz) + " Hz");
     if (bridged_ > 0)
@@ -220,24 +226,28 @@ class RecordReader {
 
   std::vector<double> OnGrid(const RecordedChannel& channel, const std::vector<double>& times,
                              const std::vector<double>& values, const std::vector<double>& grid, double usual,
-                             double longest_s) {
+                             double longest_s, std::vector<BridgedGap>& gaps) {
     std::vector<double> at;
     std::vector<double> known;
     int found = 0;
+    const auto bridge = [&](const BridgedGap& gap, std::size_t row) {
+      const double gap_s = gap.to_s - gap.from_s;
+      if (gap_s > longest_s && found++ < kMostSampleFaults)
+        Fault(kGapNotBridged, table_.line(row),
+              {channel.names.front(), SecondsText(gap.from_s), SecondsText(gap.to_s), SecondsText(longest_s)});
+      if (gap_s <= kJitter * usual) return;
+      ++bridged_;
+      longest_bridged_s_ = std::max(longest_bridged_s_, gap_s);
+      gaps.push_back(gap);
+    };
     for (std::size_t k = 0; k < times.size(); ++k) {
       // Times that stand or step back now and then are left out.
       if (!std::isfinite(values[k]) || (!at.empty() && times[k] <= at.back())) continue;
-      const double gap_s = at.empty() ? times[k] - times.front() : times[k] - at.back();
-      if (gap_s > longest_s && found++ < kMostSampleFaults)
-        Fault(kGapNotBridged, table_.line(k),
-              {channel.names.front(), SecondsText(times[k] - gap_s), SecondsText(times[k]), SecondsText(longest_s)});
-      if (gap_s > kJitter * usual) {
-        ++bridged_;
-        longest_bridged_s_ = std::max(longest_bridged_s_, gap_s);
-      }
+      bridge({at.empty() ? times.front() : at.back(), times[k]}, k);
       at.push_back(times[k]);
       known.push_back(values[k]);
     }
+    if (!at.empty()) bridge({at.back(), times.back()}, times.size() - 1);
     if (at.size() < 3) Fault(kTooFewSamples, 0, {std::to_string(at.size())});
     return at.size() < 3 ? std::vector<double>(grid.size()) : InterpolatedAt(at, known, grid);
   }
@@ -280,6 +290,7 @@ class RecordReader {
       const double delay_s = wanted[i].delay_s;
       if (delay_s == 0) continue;
       recording.channels[i] = Advanced(recording.channels[i], recording.step_s, delay_s);
+      for (BridgedGap& gap : recording.gaps[i]) gap = {gap.from_s - delay_s, gap.to_s - delay_s};
       recording.preparations.push_back(DelayTakenBack(wanted[i].names.front(), delay_s));
       latest_s = std::max(latest_s, delay_s);
       earliest_s = std::min(earliest_s, delay_s);

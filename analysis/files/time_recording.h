@@ -67,6 +67,12 @@ std::string DelayTakenBack(const std::string& channel, double delay_s);
 /// "cut to 2 .. 8.5 s"
 std::string CutTo(double start_s, double end_s);
 
+/// Between two samples of a channel; values there are interpolated.
+struct BridgedGap {
+  double from_s = 0;
+  double to_s = 0;
+};
+
 /// Signals sampled at once and evenly.
 struct TimeRecording {
   /// Of the first and the last sample.
@@ -75,6 +81,8 @@ struct TimeRecording {
   double step_s = 0;
   /// One per channel wanted, in its order; SI, as measured, offsets included unless they are stated.
   std::vector<std::vector<double>> channels;
+  /// Of each channel.
+  std::vector<std::vector<BridgedGap>> gaps = {};
   /// What was done to it, a sentence each.
   std::vector<std::string> preparations = {};
 

@@ -87,7 +87,8 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
     remarks.push_back("drifts by " + Rounded(column.drift, 2));
   if (column.noise && column.noise->sd > 0) AddNoise(*column.noise, column.level, remarks);
   // A level's rounding has the deviation level/sqrt(12).
-  if (column.rms > 0 && column.level / std::sqrt(12.0) > 0.05 * column.rms)
+  if (column.is_dead) remarks.emplace_back("dead: nothing but noise of its converter");
+  else if (column.rms > 0 && column.level / std::sqrt(12.0) > 0.05 * column.rms)
     remarks.push_back("coarse resolution: levels of " + Rounded(100 * column.level / column.rms, 2) + " % of its rms");
   return remarks;
 }

@@ -66,6 +66,11 @@ struct HistoryMisfit {
   std::string unit = {};
   /// What the study takes it from.
   ChannelSource source = {};
+  /// What moved the vehicle: posts alone, its release alone, or an actuator or a release beside posts.
+  enum class Drive { kPosts, kRelease, kSeveral };
+  Drive drive = Drive::kPosts;
+  /// Of a displacement sensor and a release alone: what the vehicle was let go from above rest, with the model's sign.
+  std::optional<double> released_from_m = {};
 };
 
 /// `residual`: measured less modelled, one sample after the other.

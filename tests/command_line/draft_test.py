@@ -365,7 +365,7 @@ class Preparation(ProgramTest):
         self.save("clipped.csv", clipped)
         self.write("study.yaml", "vehicle: car.urdf\nhistories:\n  - {file: clipped.csv}\n  - {file: good.csv}\n")
         printed = self.run_program("response", "study.yaml", "--engine", "reduced").stderr
-        lines = [line for line in printed.splitlines() if line.endswith("[channel-saturated]")]
+        lines = [line for line in printed.splitlines() if line.endswith("[samples-saturated]")]
         self.assertEqual(len(lines), 1, printed)
         for name in self.names[2:]:
             self.assertIn(f"'{name}'", lines[0])

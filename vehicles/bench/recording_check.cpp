@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "analysis/signals/clipping.h"
+#include "analysis/signals/dead_signal.h"
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/jumps.h"
 #include "analysis/signals/signal_levels.h"
@@ -87,6 +88,10 @@ class Checker {
   bool Check() {
     if (SpanOf(force_) == 0) {
       Fault(kForceDead, {ShortNumber(force_.front()) + " N"});
+      return good_;
+    }
+    if (IsDead(force_)) {
+      Fault(kForceDead, {ShortNumber(Mean(force_)) + " N but for noise of its converter"});
       return good_;
     }
     CheckClipping(x_, "displacement", "m");

@@ -14,8 +14,10 @@ inline const Finding kUnheldBushing{"unheld-bushing", Severity::kError, "no stat
 inline const Finding kUnheldDrakeBushing{"unheld-drake-bushing", Severity::kError,
                                          "no static equilibrium, nothing holds {}",
                                          "write an fp:bushing with preload=\"equilibrium\" in place of Drake's, {}"};
-inline const Finding kUnheldDamper{"unheld-damper", Severity::kError, "no static equilibrium, nothing holds {}",
-                                   "add an fp:spring beside {}, as a damper carries nothing at rest"};
+inline const Finding kUnheldDamper{
+    "unheld-damper", Severity::kError, "no static equilibrium, nothing holds {}",
+    "add an fp:spring beside {}, as a damper carries nothing at rest; a study with `bench` "
+    "needs none"};
 inline const Finding kUnheldStop{"unheld-stop", Severity::kError, "no static equilibrium, nothing holds {}",
                                  "add an fp:spring beside {}, as a stop carries nothing at rest"};
 inline const Finding kUnheld{"unheld", Severity::kError, "no static equilibrium, nothing holds {}",

@@ -73,7 +73,7 @@ inline const Finding kPostMissing{"post-missing", Severity::kWarning, "{} has no
                                   "add an fp:post under it"};
 inline const Finding kSensorsNone{"sensors-none", Severity::kWarning,
                                   "the vehicle has no sensor, so nothing of its response is seen",
-                                  "add fp:sensor tags"};
+                                  "add fp:sensor tags; a study with `bench` needs none"};
 
 // Symmetry.
 

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 constexpr double kShortest_s = 8;
 
 bool IsAuditedHistory(const MeasuredHistory& history) {
-  return !history.release && static_cast<double>(history.count) >= kShortest_s * history.rate_Hz;
+  return !history.release && static_cast<double>(history.LongestMeasured().count) >= kShortest_s * history.rate_Hz;
 }
 
 /// Every `step`-th sample of four running means over so many: what they take from a signal they take from all alike,
@@ -44,7 +44,7 @@ int DerivativesOf(Sensor::Type type) {
   return type == Sensor::Type::kGyro ? 1 : 2;
 }
 
-/// A history at some lines of its spectrum.
+/// A history at some lines of its spectrum, of the longest stretch in which all was measured.
 class AuditedHistory {
  public:
   AuditedHistory(const MeasuredHistory& history, const Vehicle& vehicle) : history_(history), vehicle_(vehicle) {
@@ -52,13 +52,14 @@ class AuditedHistory {
     constexpr double kLongest_s = 600;
     step_ = std::max<std::size_t>(1, static_cast<std::size_t>(history.rate_Hz / kEnough_Hz));
     rate_Hz_ = history.rate_Hz / static_cast<double>(step_);
-    const auto first = static_cast<std::size_t>(history.first);
+    const MeasuredHistory::Stretch part = history.LongestMeasured();
+    const auto first = static_cast<std::size_t>(history.first + part.first);
     const auto count =
-        std::min(static_cast<std::size_t>(history.count), static_cast<std::size_t>(kLongest_s * history.rate_Hz));
+        std::min(static_cast<std::size_t>(part.count), static_cast<std::size_t>(kLongest_s * history.rate_Hz));
     for (const std::vector<double>& height : history.heights)
       posts_.push_back(Thinned(std::span(height).subspan(first, count), step_));
     for (const MeasuredSignal& signal : history.signals) {
-      const std::span<const double> values(signal.values.data(), count);
+      const std::span<const double> values(signal.values.data() + part.first, count);
       signals_.push_back(Thinned(values, step_));
       noise_.push_back(NoiseOf(signal, values) / std::sqrt(static_cast<double>(step_)));
     }

@@ -81,6 +81,10 @@ inline const Finding kChannelMotionless{
     "channel-motionless", Severity::kWarning,
     "'{}' does not move in '{}' (rms {}, the largest of its kind {}), so it is left out there",
     "check its cable if it should move; else nothing is missing", Weight::kSlight};
+inline const Finding kChannelOnlyNoise{
+    "channel-only-noise", Severity::kWarning,
+    "channel '{}' of '{}' is dead: it holds nothing but noise of its converter, so '{}' is left out there",
+    "check its plug and its amplifier"};
 inline const Finding kHistoryMotionless{"history-motionless", Severity::kError,
                                         "no channel of history '{}' moves beside its posts",
                                         "check the cables and the units of its channels"};
@@ -88,6 +92,9 @@ inline const Finding kChannelSaturated{
     "channel-saturated", Severity::kWarning, "'{}' {} of {}, like a saturated sensor",
     "exclude it from the window by 'start' and 'end' of the history, or remove the channel from the study",
     Weight::kGrave};
+inline const Finding kSamplesSaturated{"samples-saturated", Severity::kWarning,
+                                       "'{}' {} of {}, like a saturated sensor, so these samples have no weight",
+                                       "record it with a larger range"};
 inline const Finding kPostsUnitMistaken{
     "posts-unit-mistaken", Severity::kError,
     "the heights of the posts of '{}' are in another unit than stated, by a factor of 1000: {}",
@@ -128,6 +135,11 @@ inline const Finding kChannelUnitDoubtful{"channel-unit-doubtful", Severity::kWa
 inline const Finding kChannelInverted{"channel-inverted", Severity::kWarning,
                                       "'{}' of '{}' moves against the model, as if its sign were wrong",
                                       "its error would be {} % with '{}' in the study", Weight::kGrave};
+inline const Finding kReleaseSignsDisagree{
+    "release-signs-disagree", Severity::kWarning,
+    "'{}' of '{}' moves against the model, and {} with it: one of the two has the wrong sign, and the release can be "
+    "fitted with either, with bump and rebound exchanged",
+    "write '{}' in the study if the vehicle was let go {}, '{}' if {}", Weight::kGrave};
 inline const Finding kChannelLateOfModel{
     "channel-late-of-model", Severity::kWarning,
     "'{}' of '{}' comes {} than the model, as if it or the height of its post were not synchronised",

@@ -54,7 +54,7 @@ std::vector<HistoryDiscrepancy> HistoryDiscrepancies(const std::vector<MeasuredH
       const Eigen::VectorXd model = modelled[h].col(static_cast<Index>(s));
       const double rms = RmsOf(model);
       if (!(rms > 0)) continue;
-      for (const double error : Eigen::VectorXd(histories[h].signals[s].values - model))
+      for (const double error : Eigen::VectorXd(histories[h].signals[s].MeasuredOr(model) - model))
         errors[histories[h].signals[s].name].push_back(std::abs(error) / rms);
     }
   std::vector<HistoryDiscrepancy> all;

@@ -8,6 +8,7 @@
 #include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/clipping.h"
+#include "analysis/signals/dead_signal.h"
 #include "analysis/signals/motionless.h"
 #include "analysis/signals/noise_floor.h"
 #include "analysis/signals/random_stream.h"
@@ -144,7 +145,7 @@ class HistoryLoader {
   std::vector<std::vector<double>> Tensions(const TimeRecording& recording) {
     std::vector<std::vector<double>> tensions(actuators_.size(), std::vector<double>(recording.samples()));
     for (const auto& [actuator, source] : study_.actuators) {
-      const Eigen::VectorXd tension = Combined(recording, source);
+      const Eigen::VectorXd tension = Combined(recording, source).values;
       tensions[*IndexOf(actuator, actuators_)].assign(tension.begin(), tension.end());
     }
     for (const auto& [actuator, load] : study_.loads_N)
@@ -233,19 +234,56 @@ class HistoryLoader {
                 recording.time_s(static_cast<std::size_t>(history.first + history.count - 1))));
   }
 
+  struct CombinedChannels {
+    Eigen::VectorXd values;
+    std::vector<BridgedGap> gaps;
+    /// Name of a channel that is dead; empty without one.
+    std::string dead;
+  };
+
   /// Sum or mean of its channels.
-  Eigen::VectorXd Combined(const TimeRecording& recording, const ChannelSource& source) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Index>(recording.samples()));
-    for (std::size_t k = 0; k < source.channels.size(); ++k)
-      sum += Eigen::Map<const Eigen::VectorXd>(recording.channels[next_++].data(), sum.size());
-    if (source.combine == ChannelSource::Combine::kMean) sum /= static_cast<double>(source.channels.size());
-    return sum;
+  CombinedChannels Combined(const TimeRecording& recording, const ChannelSource& source) {
+    CombinedChannels all = {
+        .values = Eigen::VectorXd::Zero(static_cast<Index>(recording.samples())), .gaps = {}, .dead = {}};
+    for (std::size_t k = 0; k < source.channels.size(); ++k, ++next_) {
+      all.values += Eigen::Map<const Eigen::VectorXd>(recording.channels[next_].data(), all.values.size());
+      if (IsDead(recording.channels[next_]) && !MovesPosts(source.channels[k].name)) all.dead = source.channels[k].name;
+      all.gaps.insert(all.gaps.end(), recording.gaps[next_].begin(), recording.gaps[next_].end());
+    }
+    if (source.combine == ChannelSource::Combine::kMean) all.values /= static_cast<double>(source.channels.size());
+    return all;
+  }
+
+  /// The height of a post that rests is no dead channel.
+  bool MovesPosts(const std::string& channel) const {
+    return std::any_of(study_.posts.begin(), study_.posts.end(), [&](const auto& post) {
+      const std::vector<SourceChannel>& channels = post.second.channels;
+      return std::any_of(channels.begin(), channels.end(), [&](const auto& one) { return one.name == channel; });
+    });
+  }
+
+  /// Samples of the window between two that were measured; at the ends of the record also the last one.
+  static void LeaveOutGaps(const std::vector<BridgedGap>& gaps, const TimeRecording& recording,
+                           const MeasuredHistory& history, MeasuredSignal& signal) {
+    const double rounding = 1e-6 * recording.step_s;
+    for (const BridgedGap& gap : gaps)
+      for (Index k = 0; k < history.count; ++k) {
+        const double t = history.TimeAt(k);
+        const bool is_behind = t > gap.from_s + rounding || gap.from_s <= recording.start_s + rounding;
+        const bool is_before = t < gap.to_s - rounding || gap.to_s >= recording.end_s - rounding;
+        if (is_behind && is_before) LeaveOut(k, signal);
+      }
+  }
+
+  static void LeaveOut(Index k, MeasuredSignal& signal) {
+    signal.is_unknown.resize(static_cast<std::size_t>(signal.values.size()));
+    signal.is_unknown[static_cast<std::size_t>(k)] = true;
   }
 
   std::vector<std::vector<double>> Heights(const TimeRecording& recording) {
     std::vector<std::vector<double>> heights(posts_.size(), std::vector<double>(recording.samples()));
     for (const auto& [post, source] : study_.posts) {
-      const Eigen::VectorXd recorded = Combined(recording, source);
+      const Eigen::VectorXd recorded = Combined(recording, source).values;
       const Eigen::VectorXd height = study_.has_absolute_heights ? recorded : WithoutMean(recorded);
       CheckSampling(post, height, recording.rate_Hz());
       heights[*IndexOf(post, posts_)].assign(height.begin(), height.end());
@@ -254,9 +292,16 @@ class HistoryLoader {
   }
 
   void AddSignals(const TimeRecording& recording, const std::vector<double>& noise, MeasuredHistory& history) {
+    bool has_dead = false;
     for (const auto& [name, source] : study_.channels) {
       const std::size_t sensor = *IndexOf(name, sensors_);
-      const Eigen::VectorXd all = Combined(recording, source);
+      const CombinedChannels combined = Combined(recording, source);
+      if (!combined.dead.empty()) {
+        has_dead = true;
+        diagnostics_.Report(kChannelOnlyNoise, {file_, source.line}, {combined.dead, history.name, name});
+        continue;
+      }
+      const Eigen::VectorXd& all = combined.values;
       MeasuredSignal signal{.sensor = sensor,
                             .name = name,
                             .unit = UnitOf(vehicle_.sensors[sensor].type),
@@ -264,9 +309,11 @@ class HistoryLoader {
                             .noise_sd = noise[sensor],
                             .source = source};
       if (signal.Deviation() == 0) Fault(kChannelDead, source.line, {name, study_.file.filename().string()});
-      if (CheckSaturation(name, signal.unit, source, history, all)) history.signals.push_back(std::move(signal));
+      LeaveOutGaps(combined.gaps, recording, history, signal);
+      if (CheckSaturation(history, all, signal)) history.signals.push_back(std::move(signal));
     }
-    if (history.signals.empty()) Fault(kHistoryAllSaturated, study_.line, {study_.name});
+    if (history.signals.empty())
+      Fault(has_dead ? kHistoryMotionless : kHistoryAllSaturated, study_.line, {study_.name});
     for (MeasuredSignal& signal : history.signals) signal.loudest = LoudestOf(signal.unit, history);
     LeaveOutMotionless(history);
   }
@@ -311,17 +358,29 @@ class HistoryLoader {
     return unit == "rad/s" ? speed / kLongest_m : 0;
   }
 
-  /// Of the window. False where the channel is to be left out: what it should have read is not known.
-  bool CheckSaturation(const std::string& name, const std::string& unit, const ChannelSource& source,
-                       const MeasuredHistory& history, const Eigen::VectorXd& all) {
+  /// Of the window, whose saturated samples are left out: what they should have read is not known. False where the
+  /// channel is.
+  bool CheckSaturation(const MeasuredHistory& history, const Eigen::VectorXd& all, MeasuredSignal& signal) {
     const std::span<const double> values(all.data() + history.first, static_cast<std::size_t>(history.count));
     const std::optional<ClippedEnds> ends = ClippingAtEnds(values);
     if (!ends) return true;
     const double first_s = history.TimeAt(static_cast<Index>(ends->first()));
     const bool is_left_out = study_.is_validation && ends->is_exact();
-    diagnostics_.Report(is_left_out ? kSaturatedLeftOut : kChannelSaturated, {file_, source.line},
-                        {name, ends->Text(unit, first_s), study_.file.filename().string()});
+    diagnostics_.Report(is_left_out        ? kSaturatedLeftOut
+                        : ends->is_exact() ? kSamplesSaturated
+                                           : kChannelSaturated,
+                        {file_, signal.source.line},
+                        {signal.name, ends->Text(signal.unit, first_s), study_.file.filename().string()});
+    if (ends->is_exact())
+      for (Index k = 0; k < history.count; ++k)
+        if (Stands(all[history.first + k], *ends)) LeaveOut(k, signal);
     return !is_left_out;
+  }
+
+  /// At an end that it reaches exactly.
+  static bool Stands(double value, const ClippedEnds& ends) {
+    return (ends.top && ends.top->noise == 0 && value >= ends.top->level) ||
+           (ends.bottom && ends.bottom->noise == 0 && value <= ends.bottom->level);
   }
 
   const StudyHistory& study_;
@@ -342,7 +401,57 @@ class HistoryLoader {
 
 }  // namespace
 
+namespace {
+
+bool Changes(const std::vector<double>& signal) {
+  return std::any_of(signal.begin(), signal.end(), [&](double value) { return value != signal.front(); });
+}
+
+}  // namespace
+
 double MeasuredSignal::Deviation() const { return std::sqrt((values.array() - values.mean()).square().mean()); }
+
+Eigen::VectorXd MeasuredSignal::MeasuredOr(const Eigen::Ref<const Eigen::VectorXd>& modelled) const {
+  if (is_unknown.empty()) return values;
+  double sum = 0;
+  double known = 0;
+  for (Index k = 0; k < values.size(); ++k) {
+    if (is_unknown[static_cast<std::size_t>(k)]) continue;
+    sum += values[k] - modelled[k];
+    ++known;
+  }
+  Eigen::VectorXd measured = values.array() - sum / std::max(1.0, known);
+  for (Index k = 0; k < values.size(); ++k)
+    if (is_unknown[static_cast<std::size_t>(k)]) measured[k] = modelled[k];
+  return measured;
+}
+
+void MeasuredSignal::KeepMeasured(Index stride, Eigen::MatrixXd& rows) const {
+  if (is_unknown.empty()) return;
+  Eigen::VectorXd known(rows.rows());
+  for (Index k = 0; k < known.size(); ++k) known[k] = is_unknown[static_cast<std::size_t>(k * stride)] ? 0 : 1;
+  const Eigen::RowVectorXd mean = known.transpose() * rows / std::max(1.0, known.sum());
+  rows = known.asDiagonal() * (rows.rowwise() - mean);
+}
+
+MeasuredHistory::Stretch MeasuredHistory::LongestMeasured() const {
+  const auto is_measured = [](const MeasuredSignal& signal) { return signal.is_unknown.empty(); };
+  if (std::all_of(signals.begin(), signals.end(), is_measured)) return {0, count};
+  Stretch longest;
+  Stretch here;
+  for (Index k = 0; k < count; ++k) {
+    const bool is_unknown = std::any_of(signals.begin(), signals.end(), [&](const MeasuredSignal& signal) {
+      return !signal.is_unknown.empty() && signal.is_unknown[static_cast<std::size_t>(k)];
+    });
+    here = is_unknown ? Stretch{k + 1, 0} : Stretch{here.first, here.count + 1};
+    if (here.count > longest.count) longest = here;
+  }
+  return longest;
+}
+
+bool MeasuredHistory::HasMovingActuator() const { return std::any_of(tensions.begin(), tensions.end(), Changes); }
+
+bool MeasuredHistory::HasMovingPost() const { return std::any_of(heights.begin(), heights.end(), Changes); }
 
 Index MeasuredHistory::Stride() const {
   constexpr double kSamplesPerPeriod = 3;

@@ -30,8 +30,17 @@ struct MeasuredSignal {
   double loudest = 0;
   /// Of the recording.
   ChannelSource source = {};
+  /// Per sample, whether it was not measured: in a gap that is bridged, or clipped. Empty: all were measured.
+  std::vector<char> is_unknown = {};
 
   double Deviation() const;
+
+  /// What was measured; where nothing was, what the model gives, so that it weighs nothing: offsets of both are then
+  /// equal over the other samples.
+  Eigen::VectorXd MeasuredOr(const Eigen::Ref<const Eigen::VectorXd>& modelled) const;
+  /// Of rows at every `stride`-th sample, such as parts of the model: without their mean where there was a measurement,
+  /// 0 elsewhere.
+  void KeepMeasured(Eigen::Index stride, Eigen::MatrixXd& rows) const;
 };
 
 /// A recording over time in the terms of the vehicle. Sensors, posts too, have offsets that say nothing: those of posts
@@ -66,7 +75,18 @@ struct MeasuredHistory {
   /// full_correction.h; empty: nothing.
   Eigen::MatrixXd correction = {};
 
+  /// The first sample of the window and the number of samples of its longest stretch in which all was measured.
+  struct Stretch {
+    Eigen::Index first = 0;
+    Eigen::Index count = 0;
+  };
+  Stretch LongestMeasured() const;
+
   double TimeAt(Eigen::Index k) const { return posts.start_s + static_cast<double>(first + k) / rate_Hz; }
+
+  /// Whether the tension of an actuator changes.
+  bool HasMovingActuator() const;
+  bool HasMovingPost() const;
 
   /// Residuals take every n-th sample: a filtered record sampled at three times the cut-off has all that passes
   /// it, and noise that is nearly independent from sample to sample.

@@ -17,7 +17,6 @@ namespace fourpost {
 namespace {
 
 using Cause = HistoryRemark::Cause;
-using MisfitsOfOne = std::span<const HistoryMisfit>;
 
 bool Has(const std::vector<HistoryRemark>& remarks, Cause cause) {
   return std::any_of(remarks.begin(), remarks.end(), [&](const HistoryRemark& other) { return other.cause == cause; });
@@ -76,9 +75,17 @@ class HistoryLinter {
     std::vector<HistoryRemark> surer;
     for (const PointDelay& point : points) surer.push_back(PointRemark(point, fitted_));
     if (surer.empty())
-      if (std::optional<HistoryRemark> posts = PostDelay(start_, sample_s_)) surer.push_back(*std::move(posts));
+      if (std::optional<HistoryRemark> posts = PostDelay(start_, sample_s_); posts && DoesFitShareDelay())
+        surer.push_back(*std::move(posts));
     if (surer.empty()) surer = AtStart();
     if (!surer.empty()) remarks_ = std::move(surer);
+  }
+
+  /// A fit meets a delay of the posts about half-way; values of a file that is far off have delays of their own, of
+  /// which the fitted ones keep nothing.
+  bool DoesFitShareDelay() const {
+    constexpr double kLeastShare = 0.2;
+    return CommonDelay(fitted_).value_or(0) / CommonDelay(start_).value_or(1) > kLeastShare;
   }
 
   /// Of the channel that is the odd one out for the fitted values too, where that explains more.

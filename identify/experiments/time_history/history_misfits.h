@@ -24,7 +24,8 @@ void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& mod
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
                                           const std::vector<Eigen::MatrixXd>& modelled);
 
-/// For AddYardsticks(): heights of the posts and signals within the windows.
+/// For AddYardsticks(): heights of the posts and signals within the windows, of each the longest stretch in which all
+/// was measured.
 std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories);
 
 }  // namespace fourpost

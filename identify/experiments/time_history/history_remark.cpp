@@ -197,8 +197,35 @@ HistoryRemark OtherScale(const HistoryMisfit& misfit, const RemediedErrors& erro
                 words);
 }
 
+/// From where the vehicle was let go if the channels that go with the model have the right sign, and if they have not.
+std::array<std::string, 2> Releases(MisfitsOfOne recording) {
+  for (const HistoryMisfit& misfit : recording)
+    if (const std::optional<double> from = misfit.released_from_m) {
+      const std::string size = ShortNumber(1e3 * std::abs(*from)) + " mm ";
+      return *from > 0 ? std::array{"from " + size + "above rest", "from " + size + "below rest"}
+                       : std::array{"from " + size + "below rest", "from " + size + "above rest"};
+    }
+  return {"from where `released from` of the results says", "from the other side of rest"};
+}
+
+/// A release fits with either sign: the model's is that of the channels that weigh most.
+HistoryRemark OtherSign(const HistoryMisfit& misfit, MisfitsOfOne recording, const RemediedErrors& errors) {
+  const Words remedy = WithRemedy(Times({SourceOf(misfit)}, -1), misfit, errors);
+  std::string others;
+  std::string of_others;
+  for (const HistoryMisfit& other : recording) {
+    if (misfit.drive != HistoryMisfit::Drive::kRelease || !other.gain || *other.gain < 0) continue;
+    others += (others.empty() ? "'" : ", '") + other.name + "'";
+    of_others += (of_others.empty() ? "" : ", ") + other.name + ": " + SourceText(Times({SourceOf(other)}, -1).source);
+  }
+  if (others.empty()) return Remark(Cause::kSign, misfit, kChannelInverted, remedy);
+  const auto [stated, mirrored] = Releases(recording);
+  return Remark(Cause::kSign, misfit, kReleaseSignsDisagree, {others, remedy[1], stated, of_others, mirrored});
+}
+
 /// Unit, sign and place of a channel.
-void AddScale(const HistoryMisfit& misfit, const RemediedErrors& errors, std::vector<HistoryRemark>& remarks) {
+void AddScale(const HistoryMisfit& misfit, MisfitsOfOne recording, const RemediedErrors& errors,
+              std::vector<HistoryRemark>& remarks) {
   // Less than g; no model that has the shape right is so far off.
   constexpr double kOtherUnit = 5;
   if (misfit.swapped_with) {
@@ -208,9 +235,7 @@ void AddScale(const HistoryMisfit& misfit, const RemediedErrors& errors, std::ve
   if (!GainsByTiming(misfit)) return;
   const double size = std::abs(*misfit.gain);
   if (std::max(size, 1 / size) > kOtherUnit) remarks.push_back(OtherScale(misfit, errors));
-  else if (*misfit.gain < 0)
-    remarks.push_back(
-        Remark(Cause::kSign, misfit, kChannelInverted, WithRemedy(Times({SourceOf(misfit)}, -1), misfit, errors)));
+  else if (*misfit.gain < 0) remarks.push_back(OtherSign(misfit, recording, errors));
 }
 
 }  // namespace
@@ -230,7 +255,8 @@ std::optional<double> CommonDelay(std::span<const HistoryMisfit> misfits) {
 std::optional<HistoryRemark> PostDelay(std::span<const HistoryMisfit> misfits, double sample_s) {
   constexpr std::ptrdiff_t kFewest = 3;
   const std::optional<double> common = CommonDelay(misfits);
-  if (!common || std::abs(*common) <= sample_s) return std::nullopt;
+  if (!common || std::abs(*common) <= sample_s || misfits.front().drive != HistoryMisfit::Drive::kPosts)
+    return std::nullopt;
   const auto agreeing = std::count_if(misfits.begin(), misfits.end(), [&](const HistoryMisfit& misfit) {
     return GainsByTiming(misfit) && std::abs(*misfit.delay_s - *common) < 0.5 * std::abs(*common);
   });
@@ -256,7 +282,7 @@ std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, 
   std::vector<HistoryRemark> remarks;
   for (const std::span<const HistoryMisfit> recording : ByRecording(misfits)) {
     const std::size_t before = remarks.size();
-    for (const HistoryMisfit& misfit : recording) AddScale(misfit, errors, remarks);
+    for (const HistoryMisfit& misfit : recording) AddScale(misfit, recording, errors, remarks);
     if (remarks.size() == before) AddDelays(recording, sample_s, errors, remarks);
   }
   return remarks;

@@ -21,6 +21,8 @@ struct HistoryRemark {
   Found found;
 };
 
+using MisfitsOfOne = std::span<const HistoryMisfit>;
+
 /// Channels that are swapped, and those whose error nearly goes with another unit, with the other sign, or with a delay
 /// of more than `sample_s`. Of several channels the odd one out is reported, the farthest from the delay that they have
 /// in common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays,
@@ -29,7 +31,7 @@ struct HistoryRemark {
 std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, double sample_s,
                                      const RemediedErrors& errors);
 
-/// Of one recording: its channels come earlier or later than the model, all alike.
+/// Of one recording that posts alone move: its channels come earlier or later than the model, all alike.
 std::optional<HistoryRemark> PostDelay(std::span<const HistoryMisfit> misfits, double sample_s);
 
 /// What takes back that this channel comes `delay_s` later than it should, in the terms of the study.

@@ -114,14 +114,15 @@ Eigen::VectorXd HistoryResiduals::OfPrediction(const std::vector<KalmanPredictio
 void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal,
                                  const Eigen::VectorXd& modelled, Eigen::Ref<Eigen::VectorXd> out) const {
   const double deviation = signal.Deviation();
+  const Eigen::VectorXd measured = signal.MeasuredOr(modelled);
   if (options_.cost == HistoryCost::kCompromise) {
-    out = 10 / (std::sqrt(static_cast<double>(history.count)) * deviation) * (modelled - signal.values);
+    out = 10 / (std::sqrt(static_cast<double>(history.count)) * deviation) * (modelled - measured);
     out *= out.norm();
     return;
   }
   const double sd = DeviationOf(signal);
   const Index stride = history.Stride();
-  for (Index k = 0; k < out.size(); ++k) out[k] = (modelled[k * stride] - signal.values[k * stride]) / sd;
+  for (Index k = 0; k < out.size(); ++k) out[k] = (modelled[k * stride] - measured[k * stride]) / sd;
 }
 
 std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double>& values) const {
@@ -339,8 +340,9 @@ Eigen::MatrixXd HistoryResiduals::Starts() const {
     const Index here = motions[h].later.cols();
     for (std::size_t s = 0; s < history.signals.size(); ++s, row += each) {
       if (here == 0) continue;
-      starts.block(row, column, each, here) =
-          motions[h].Rows(static_cast<Index>(s), each, history.Stride()) / DeviationOf(history.signals[s]);
+      Eigen::MatrixXd rows = motions[h].Rows(static_cast<Index>(s), each, history.Stride());
+      history.signals[s].KeepMeasured(history.Stride(), rows);
+      starts.block(row, column, each, here) = rows / DeviationOf(history.signals[s]);
     }
     column += here;
   }

@@ -202,7 +202,7 @@ HistorySimulation::Start HistorySimulation::StartOf(const CondensedModel& model,
     Eigen::VectorXd left(rows * run.cols());
     for (Index i = 0; i < run.cols(); ++i) {
       const MeasuredSignal& signal = history_->signals[static_cast<std::size_t>(i)];
-      left.segment(i * rows, rows) = (run.col(i) - signal.values)(Eigen::seqN(0, rows, stride)) /
+      left.segment(i * rows, rows) = (run.col(i) - signal.MeasuredOr(run.col(i)))(Eigen::seqN(0, rows, stride)) /
                                      std::hypot(signal.noise_sd, release.model_error * signal.Deviation());
     }
     return left;

@@ -106,6 +106,14 @@ class Maps {
   KeptSlopes read_slopes_;
 };
 
+/// A sample that was not measured corrects nothing.
+void LeaveOutUnknown(const MeasuredSignal& signal, Index i, Index row, VectorXd& innovation, MatrixXd& sensor) {
+  constexpr double kUnknown = 1e12;
+  if (signal.is_unknown.empty() || !signal.is_unknown[static_cast<std::size_t>(row)]) return;
+  innovation[i] = 0;
+  sensor(i, i) = kUnknown * signal.values.squaredNorm();
+}
+
 }  // namespace
 
 KalmanPredictor::KalmanPredictor(const MeasuredHistory& history)
@@ -153,7 +161,7 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
     push[coordinates + i] = h * noise.process_sd[i];
     process += push * push.transpose();
   }
-  const MatrixXd sensor = noise.sensor_sd.array().square().matrix().asDiagonal();
+  const MatrixXd known_sensor = noise.sensor_sd.array().square().matrix().asDiagonal();
 
   KalmanPrediction out{.predicted = MatrixXd(history_->count, signals),
                        .innovations = MatrixXd(history_->count, signals),
@@ -177,6 +185,9 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
       innovation[i] = history_->signals[static_cast<std::size_t>(i)].values[row] + offset[i];
     innovation -= out.predicted.row(row).transpose();
     out.predicted.row(row) -= offset;
+    MatrixXd sensor = known_sensor;
+    for (Index i = 0; i < signals; ++i)
+      LeaveOutUnknown(history_->signals[static_cast<std::size_t>(i)], i, row, innovation, sensor);
     const MatrixXd spread = read * covariance * read.transpose() + sensor;
     const Eigen::LLT<MatrixXd> root(spread);
     const VectorXd whitened = root.matrixL().solve(innovation);

@@ -172,7 +172,8 @@ class PostNoiseEstimate {
       for (Index k = 0; k < history_.count; ++k) measured(k, p) = heights[static_cast<std::size_t>(history_.first + k)];
     }
     for (Index c = 0; c < modelled.cols(); ++c)
-      measured.col(posts_ + c) = modelled.col(c) - history_.signals[static_cast<std::size_t>(c)].values;
+      measured.col(posts_ + c) =
+          modelled.col(c) - history_.signals[static_cast<std::size_t>(c)].MeasuredOr(modelled.col(c));
     return measured;
   }
 

@@ -136,9 +136,17 @@ void AddStart(const MeasuredHistory& history, const CondensedModel& model, const
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(columns);
   for (Index s = 0; s < modelled.cols(); ++s) {
-    const Eigen::MatrixXd part = motion.Rows(s, first_rows, stride);
+    const MeasuredSignal& signal = history.signals[static_cast<std::size_t>(s)];
     const Eigen::VectorXd missing =
-        (history.signals[static_cast<std::size_t>(s)].values - modelled.col(s))(Eigen::seqN(0, rows, stride));
+        (signal.MeasuredOr(modelled.col(s)) - modelled.col(s))(Eigen::seqN(0, rows, stride));
+    if (!signal.is_unknown.empty()) {
+      Eigen::MatrixXd all = motion.Rows(s, rows, stride);
+      signal.KeepMeasured(stride, all);
+      normal += weights[s] * (all.transpose() * all);
+      right += weights[s] * (all.transpose() * missing);
+      continue;
+    }
+    const Eigen::MatrixXd part = motion.Rows(s, first_rows, stride);
     const Eigen::VectorXd later = motion.later.row(s).transpose();
     normal += weights[s] * (part.transpose() * part);
     normal += weights[s] * static_cast<double>(rows - first_rows) * later * later.transpose();

@@ -85,6 +85,7 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
     digest.Add(static_cast<double>(signal.sensor));
     digest.Add(signal.noise_sd);
     Add(digest, signal.values);
+    for (const char is_unknown : signal.is_unknown) digest.Add(static_cast<double>(is_unknown));
   }
   for (const double value : history.correction.reshaped()) digest.Add(value);
 }
@@ -173,8 +174,9 @@ bool TimeHistories::HasDeviations() const { return fitted.empty() || plan.cost !
 
 bool TimeHistories::MeasuresForce() const {
   const auto is_force = [](const MeasuredSignal& signal) { return ParseUnit(signal.unit)->dimension == kForce; };
+  // What an actuator does is a force that was measured as well.
   return std::any_of(fitted.begin(), fitted.end(), [&](const MeasuredHistory& history) {
-    return std::any_of(history.signals.begin(), history.signals.end(), is_force);
+    return std::any_of(history.signals.begin(), history.signals.end(), is_force) || history.HasMovingActuator();
   });
 }
 

@@ -37,7 +37,8 @@ void AddDeviations(const HistoryResiduals& residuals, const std::vector<Eigen::M
   for (std::size_t h = 0; h < modelled.size(); ++h)
     for (std::size_t s = 0; s < residuals.histories()[h].signals.size(); ++s, ++misfit) {
       const MeasuredSignal& signal = residuals.histories()[h].signals[s];
-      const auto error = modelled[h].col(static_cast<Eigen::Index>(s)) - signal.values;
+      const auto model = modelled[h].col(static_cast<Eigen::Index>(s));
+      const Eigen::VectorXd error = model - signal.MeasuredOr(model);
       const double off =
           std::sqrt(error.squaredNorm() / static_cast<double>(error.size())) / residuals.DeviationOf(signal);
       if (std::isfinite(off)) misfit->misfit = off;

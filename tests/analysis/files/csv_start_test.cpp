@@ -35,6 +35,16 @@ TEST(CsvStart, MayHoldLinesWithAsManyFields) {
   EXPECT_EQ(table.rows(), 3);
 }
 
+// In a column of comments, which rows need not have.
+TEST(CsvStart, IsAboveRowsOfWhichSomeHaveAComment) {
+  for (const char* rows : {"0,1,warm-up\n1,2,\n2,3,\n", "0,1,\n1,2,\n2,3,cold\n", "0,1,warm-up\n1,2\n2,3\n"}) {
+    const CsvTable table = Parse(std::string("Bench 7\nShock: FX-2, front\ntime [s],F [N],Comment\n") + rows);
+    EXPECT_THAT(table.names(), ElementsAre("time", "F", "Comment")) << rows;
+    EXPECT_EQ(table.names_line(), 3);
+    EXPECT_EQ(table.rows(), 3);
+  }
+}
+
 TEST(CsvStart, IsTheFirstLineOfAPlainTable) {
   EXPECT_FALSE(StartBelowLines("time,F\n0,1\n1,2\n2,3\n"));
   EXPECT_FALSE(StartBelowLines("time,F\ns,N\n0,1\n1,2\n2,3\n"));

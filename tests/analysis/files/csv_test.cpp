@@ -45,6 +45,15 @@ TEST(Csv, HasNamesAndRowsAndTheirLines) {
 
 TEST(Csv, NeedsNoLineBreakAtItsEnd) { EXPECT_EQ(ParseGood("f\n1\n2").rows(), 2); }
 
+TEST(Csv, LeavesOutALastRowThatIsCutOff) {
+  Diagnostics diagnostics;
+  const std::optional<CsvTable> table = ParseCsv("a,b,c\n1,2,3\n4,5,6\n7,8.", "t.csv", diagnostics);
+  ASSERT_TRUE(table) << diagnostics.Format();
+  EXPECT_EQ(table->rows(), 2);
+  EXPECT_THAT(diagnostics, ReportsOnly(kCsvLastRowCut, 4, {"2 fields of 3"}));
+  EXPECT_THAT(Faults("a,b,c\n1,2,3\n4,5\n7,8,9"), ReportsOnly(kCsvRowLength, 3, {"2", "3"}));
+}
+
 TEST(Csv, MayHaveARowOfUnits) {
   const CsvTable table = ParseGood("t,z\ns,mm\n0,1\n", CsvHeader::kNamesAndUnits);
   EXPECT_THAT(table.units(), ElementsAre("s", "mm"));

@@ -146,6 +146,8 @@ TEST(TimeRecordingFault, TimeAndDisplacementAreSwapped) {
 
 TEST(TimeRecordingFault, TimeStandsStill) {
   EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n1,5,5\n"), Reports(kTimeDoesNotRise));
+  EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n2,5,5\n2,5,6\n2,5,7\n3,5,7\n"),
+              Reports(kTimeTooCoarse, {"8 samples in 2 s, about 4 samples a second"}));
 }
 
 // Each step is within a quarter of the usual one.

@@ -336,6 +336,14 @@ TEST(RecordingCheck, TellsSwappedColumnsAndUnitsOfWhatIsSampledTooSlowly) {
   }
 }
 
+TEST(RecordingCheck, TellsADeadForceOfItsNoise) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.2);
+  TimeRecording dead = Thinned(1);
+  for (double& force : dead.channels[1]) force = 12 + 0.2 * std::round(noise(random) / 0.2);
+  EXPECT_THAT(FaultOf(dead), ReportsOnly(kForceDead, 0, {"12 N but for noise of its converter throughout"}));
+}
+
 TEST(RecordingCheck, TellsADeadForceOfWhatIsSampledTooSlowly) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0, 0.2);

@@ -1,7 +1,9 @@
 #include "identify/experiments/time_history/history_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -168,12 +170,51 @@ TEST_F(HistoryDataTest, LeavesOutAChannelThatDoesNotMove) {
   EXPECT_THAT(diagnostics_, Reports(kChannelMotionless, 5, {"'a_sprung' does not move in 'sweep'"}));
 }
 
+TEST_F(HistoryDataTest, LeavesOutADeadChannelThatIsNotConstant) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> noise(0, 0.4);
+  for (double& value : recorded_.readings.col(2)) value = 0.01 * std::round(noise(engine));
+  const auto histories = Load();
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  EXPECT_EQ(histories->front().signals.size(), 4u);
+  EXPECT_THAT(diagnostics_, Reports(kChannelOnlyNoise, 5, {"channel 'a_sprung' of 'sweep' is dead"}));
+}
+
+/// Without some of the lines.
+std::string WithGap(const std::string& text, std::size_t first, std::size_t count) {
+  std::istringstream lines(text);
+  std::string kept;
+  std::string line;
+  for (std::size_t i = 0; std::getline(lines, line); ++i)
+    if (i < first || i >= first + count) kept += line + '\n';
+  return kept;
+}
+
+TEST_F(HistoryDataTest, KnowsWhichSamplesBridgeAGap) {
+  history_.preparation.bridge_s = 0.05;
+  // Below names and units.
+  const auto histories = Load(WithGap(StationCsv(recorded_, vehicle_), 2 + 1000, 20));
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  const MeasuredHistory& history = histories->front();
+  EXPECT_EQ(history.count, recorded_.size());
+  for (const MeasuredSignal& signal : history.signals)
+    for (Eigen::Index k = 0; k < history.count; ++k)
+      ASSERT_EQ(!signal.is_unknown.empty() && signal.is_unknown[static_cast<std::size_t>(k)], k >= 1000 && k < 1020)
+          << k;
+  EXPECT_EQ(history.LongestMeasured().first, 1020);
+  EXPECT_EQ(history.LongestMeasured().count, recorded_.size() - 1020);
+}
+
 TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
   ASSERT_TRUE(Load());
   EXPECT_EQ(diagnostics_.Format(), "");
-  recorded_.readings.col(4) = recorded_.readings.col(4).cwiseMin(0.5 * recorded_.readings.col(4).maxCoeff());
-  ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_, Reports(kChannelSaturated, 5, {"'F_tyre' is clipped"}));
+  const double limit = 0.5 * recorded_.readings.col(4).maxCoeff();
+  recorded_.readings.col(4) = recorded_.readings.col(4).cwiseMin(limit);
+  const auto histories = Load();
+  ASSERT_TRUE(histories);
+  const std::vector<char>& is_unknown = histories->front().signals[4].is_unknown;
+  EXPECT_EQ(std::count(is_unknown.begin(), is_unknown.end(), 1), (recorded_.readings.col(4).array() == limit).count());
+  EXPECT_THAT(diagnostics_, Reports(kSamplesSaturated, 5, {"'F_tyre' is clipped"}));
 }
 
 // Noise that came in behind the sensor; what is told to be done helps.

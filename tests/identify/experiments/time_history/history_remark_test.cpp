@@ -101,6 +101,62 @@ TEST(HistoryRemark, GivesAScaleWithTheDelay) {
   EXPECT_LT(Promised(small), kNothing_percent);
 }
 
+/// Three channels that all come 30 ms later than the model, of a vehicle that `tension` moves beside its posts.
+Diagnostics RemarksOfLateChannels(const std::vector<double>& tension) {
+  Eigen::MatrixXd modelled(2000, 3);
+  MeasuredHistory history{
+      .name = "sweep", .rate_Hz = kRate_Hz, .posts = {}, .tensions = {tension}, .filter = {}, .count = 2000};
+  for (const std::string name : {"a", "b", "c"}) {
+    Eigen::VectorXd measured(2000);
+    for (Eigen::Index k = 0; k < 2000; ++k) {
+      const double t = static_cast<double>(k) / kRate_Hz;
+      modelled.row(k).setConstant(Model(t));
+      measured[k] = Model(t - 0.03);
+    }
+    history.signals.push_back({.name = name, .unit = "m", .values = measured, .source = {.channels = {{name}}}});
+  }
+  const std::vector<MeasuredHistory> histories = {history};
+  const std::vector<Eigen::MatrixXd> models = {modelled};
+  Diagnostics remarks;
+  for (const HistoryRemark& remark :
+       RemarksOn(HistoryMisfits(histories, models), 1 / kRate_Hz, RemediedErrors(histories, models)))
+    remarks.Report(*remark.found.kind, {}, remark.found.words);
+  return remarks;
+}
+
+// Mirrored, a release is one as well.
+TEST(HistoryRemark, NamesBothSignsOfARelease) {
+  Eigen::MatrixXd modelled(2000, 2);
+  for (Eigen::Index k = 0; k < 2000; ++k) {
+    const double t = static_cast<double>(k) / kRate_Hz;
+    modelled(k, 0) = 0.045 * std::exp(-t) * std::cos(9 * t);
+    modelled(k, 1) = -81 * modelled(k, 0);
+  }
+  const std::vector<MeasuredHistory> histories = {
+      {.name = "drop",
+       .rate_Hz = kRate_Hz,
+       .posts = {},
+       .filter = {},
+       .release = Release(),
+       .count = 2000,
+       .signals = {{.name = "z", .unit = "m", .values = -modelled.col(0), .source = {.channels = {{"z"}}}},
+                   {.name = "a", .unit = "m/s^2", .values = modelled.col(1), .source = {.channels = {{"a"}}}}}}};
+  const std::vector<Eigen::MatrixXd> models = {modelled};
+  Diagnostics remarks;
+  for (const HistoryRemark& remark :
+       RemarksOn(HistoryMisfits(histories, models), 1 / kRate_Hz, RemediedErrors(histories, models)))
+    remarks.Report(*remark.found.kind, {}, remark.found.words);
+  EXPECT_THAT(remarks, ReportsOnly(kReleaseSignsDisagree, 0,
+                                   {"'z: {channel: z, sign: -1}' in the study if the vehicle was let go from 45",
+                                    "mm above rest, 'a: {channel: a, sign: -1}' if from 45", "mm below rest"}));
+}
+
+// An actuator moves channels by more than posts do: what they have in common says nothing of the posts.
+TEST(HistoryRemark, SuspectsPostsOnlyWhereTheyAloneMove) {
+  EXPECT_THAT(RemarksOfLateChannels({5, 5, 5}), Reports(kPostsNotSynchronised, 0, {"30 ms later", "delay: -30 ms"}));
+  EXPECT_THAT(RemarksOfLateChannels({5, -5, 5}), Not(Reports(kPostsNotSynchronised)));
+}
+
 // A model that another channel drew away by millions: what a scale leaves is the whole channel.
 TEST(HistoryRemark, GivesNoScaleThatExplainsNothing) {
   Eigen::MatrixXd modelled(2000, 1);

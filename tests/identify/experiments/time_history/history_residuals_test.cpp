@@ -53,6 +53,25 @@ class HistoryResidualsTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(HistoryResidualsTest, DoNotDependOnSamplesThatWereNotMeasured) {
+  for (const HistoryCost cost : {HistoryCost::kWhitened, HistoryCost::kCompromise}) {
+    std::vector<MeasuredHistory> histories = Recording();
+    for (MeasuredSignal& signal : histories.front().signals) {
+      signal.is_unknown.resize(static_cast<std::size_t>(signal.values.size()));
+      for (std::size_t k = 1000; k < 1050; ++k) signal.is_unknown[k] = true;
+    }
+    const HistoryResiduals as_they_were = Residuals(histories, {.cost = cost});
+    const double nmse = WorstNmse(as_they_were);
+    // As large as the signal: its deviation stays about the same.
+    for (MeasuredSignal& signal : histories.front().signals)
+      for (Eigen::Index k = 1000; k < 1050; ++k) signal.values[k] = -signal.values[k] + signal.Deviation();
+    const HistoryResiduals invented = Residuals(histories, {.cost = cost});
+    EXPECT_NEAR(WorstNmse(invented), nmse, 0.01 * nmse);
+    EXPECT_NEAR(invented.At(vehicle_.ParameterValues()).norm(), as_they_were.At(vehicle_.ParameterValues()).norm(),
+                0.02 * as_they_were.At(vehicle_.ParameterValues()).norm());
+  }
+}
+
 // A true post and one filter, against heights that the filter took amplitude from and none.
 TEST_F(HistoryResidualsTest, VanishForTheVehicleThatWasRecorded) {
   const double filter_taken_back = WorstNmse(Residuals(Recording()));
