@@ -6,19 +6,25 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/signals/deviation.h"
+
 namespace fourpost {
 namespace {
 
-constexpr std::size_t kDifferences = 3;
-/// Of a difference of third order.
-constexpr std::array<double, kDifferences + 1> kDifference = {-1, 3, -3, 1};
+constexpr std::size_t kDifferences = 4;
+/// Of a difference of fourth order.
+constexpr std::array<double, kDifferences + 1> kDifference = {1, -4, 6, -4, 1};
 constexpr std::size_t kFewestSmoothed = 64;
 /// Weights of the differences: cut-offs from above half the sampling rate to a hundredth of it. Above, the equations
 /// lose more digits than a converter has.
 constexpr double kLeastWeight = 1e-3;
 constexpr double kLargestWeight = 1e8;
-/// Half a decade: a tenth of an octave in the cut-off.
+/// Half a decade: a fifth of an octave in the cut-off.
 constexpr double kFactor = 3.1622776601683795;
+/// Of the weight that is best for the signal: its slope has lost by then what it cannot lose.
+constexpr double kShare = 0.1;
+/// Of the signal: louder is motion at few samples a period.
+constexpr double kMostNoise = 0.1;
 
 /// Lower half of a band of I + weight D'D: column k holds the entries of row k and of those below it.
 using BandColumn = std::array<double, kDifferences + 1>;
@@ -51,7 +57,7 @@ double FreeNumbers(double weight, std::size_t n) {
   double free = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const double difference = 2 * std::sin(std::numbers::pi / 2 * static_cast<double>(k) / static_cast<double>(n));
-    free += 1 / (1 + weight * std::pow(difference * difference, 3));
+    free += 1 / (1 + weight * std::pow(difference, 2 * kDifferences));
   }
   return free;
 }
@@ -64,23 +70,25 @@ double SquaresOfDifference(std::span<const double> a, std::span<const double> b)
 
 }  // namespace
 
-Smoothed WithoutNoise(std::span<const double> signal) {
-  Smoothed best{{signal.begin(), signal.end()}};
-  if (signal.size() < kFewestSmoothed) return best;
+std::vector<double> WithoutNoise(std::span<const double> signal) {
+  std::vector<double> as_it_is(signal.begin(), signal.end());
+  if (signal.size() < kFewestSmoothed) return as_it_is;
   const auto n = static_cast<double>(signal.size());
   double least = std::numeric_limits<double>::infinity();
+  double best = 0;
+  double variance = 0;
   for (double weight = kLeastWeight; weight <= kLargestWeight; weight *= kFactor) {
-    std::vector<double> smooth = SmoothedBy(weight, signal);
-    const double squares = SquaresOfDifference(signal, smooth);
     const double taken = n - FreeNumbers(weight, signal.size());
+    const double squares = SquaresOfDifference(signal, SmoothedBy(weight, signal));
     const double criterion = n * squares / (taken * taken);
     if (!(criterion < least)) continue;
     least = criterion;
-    // The least weight is best where there is nothing to be gained.
-    if (weight == kLeastWeight) continue;
-    best = {std::move(smooth), std::sqrt(squares / taken)};
+    best = weight;
+    variance = squares / taken;
   }
-  return best;
+  // Where the least weight is best there is nothing to be gained.
+  const bool has_noise = best > kLeastWeight && std::sqrt(variance) < kMostNoise * DeviationOf(signal);
+  return has_noise ? SmoothedBy(kShare * best, signal) : as_it_is;
 }
 
 }  // namespace fourpost

@@ -5,17 +5,13 @@
 
 namespace fourpost {
 
-/// A signal without the white noise in it.
-struct Smoothed {
-  std::vector<double> signal;
-  /// Standard deviation of what was taken out [its unit]; 0 where nothing was.
-  double noise = 0;
-};
-
-/// The signal of least squares of its third differences beside its distance from the samples (Whittaker 1923,
-/// doi:10.1017/S0013091500077853), their weight such that each sample would be predicted best by all others:
-/// generalised cross-validation (Craven and Wahba 1979, doi:10.1007/BF01404567). No delay; a cut-off of sixth order.
-/// A signal that does not have white noise, or is shorter than 64 samples, comes back as it is.
-Smoothed WithoutNoise(std::span<const double> signal);
+/// A signal without most of its white noise, so that its slope can be taken: the one that minimises the squared
+/// distance from the samples plus a weight times its squared fourth differences (Whittaker 1923,
+/// doi:10.1017/S0013091500077853). No delay. The weight is a tenth of the one by which each sample is predicted best
+/// from all others: generalised cross-validation (Craven and Wahba 1979, doi:10.1007/BF01404567), which is best for the
+/// signal and too much for its slope. Of the fastest motion in a sweep it takes less than two thousandths, for noise of
+/// up to a twentieth of that motion. A signal in which this finds no noise, as at less than six samples a period, and
+/// one of fewer than 64 samples come back as they are.
+std::vector<double> WithoutNoise(std::span<const double> signal);
 
 }  // namespace fourpost

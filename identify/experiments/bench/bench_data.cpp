@@ -60,7 +60,7 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
                            .filter = {},
                            .end = read->samples()};
   // Its noise would be differentiated.
-  std::vector<double> displacement = WithoutNoise(read->channels[0]).signal;
+  std::vector<double> displacement = WithoutNoise(read->channels[0]);
   if (study.rig_filter) {
     const double rate_Hz = 1 / recording.sample_s;
     recording.cutoff_Hz = study.rig_filter->cutoff_Hz;
