@@ -55,12 +55,13 @@ ReducedData WithoutInstruments(ReducedData data, std::size_t file_sensors) {
 
 void Open(std::string_view vehicle, std::string_view ride, Instance& here) {
   ReducedData data = ReducedDataOf(vehicle);
-  here.ride.reset();
+  std::optional<LiveRide> opened;
   if (!ride.empty()) {
-    const LiveRide& opened = here.ride.emplace(data, RideInstrumentsOf(ride));
-    data = WithoutInstruments(std::move(data), opened.instruments().file_sensors);
+    opened.emplace(data, RideInstrumentsOf(ride));
+    data = WithoutInstruments(std::move(data), opened->instruments().file_sensors);
   }
   here.vehicle.emplace(std::move(data));
+  here.ride = std::move(opened);
 }
 
 void WriteRide(const RoadRide& ride, std::vector<double>& answer) {

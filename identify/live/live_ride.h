@@ -11,7 +11,7 @@ namespace fourpost {
 /// The ride of a reduced vehicle whose parameters follow a hand, as `fourpost ride` finds it.
 class LiveRide {
  public:
-  /// `data`: of the instruments' vehicle.
+  /// `data`: of the instruments' vehicle; throws std::invalid_argument where it lacks what they name.
   LiveRide(ReducedData data, RideInstruments instruments);
 
   const RideInstruments& instruments() const { return instruments_; }

@@ -13,7 +13,7 @@ namespace fourpost {
 
 /// What `fourpost modes` found, to be shown.
 struct ModesAnswer {
-  /// Text of the vehicle's file, with which sliders begin.
+  /// Text of the vehicle's file, at whose values sliders begin.
   std::string file;
   /// Without channels: the vehicle has no sensors or no posts.
   ImpulseFiles impulse;

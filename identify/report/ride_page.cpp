@@ -46,14 +46,15 @@ std::string TableHtml(const RideTable& table) {
   return html::Table(head, rows) + (table.foot.empty() ? "" : SentencesHtml(Typeset(table.foot)));
 }
 
-CurveGroup::Chart WeightedChart(const RideSpectra& spectra, std::size_t channel, Weighting weighting) {
-  const RideSpectra::Channel& felt = spectra.channels[channel];
+CurveGroup::Chart WeightedChart(const RideAnswer& ride, std::size_t channel, Weighting weighting) {
+  const RideSpectra::Channel& felt = ride.spectra.channels[channel];
   return {.title = felt.name,
           .unit = ShownUnit("(m/s^2)^2/Hz"),
           .least = 0,
-          .lines = {{"weighted", WeightedDensity(spectra, channel, weighting)}, {"unweighted", felt.density}},
+          .lines = {{"weighted", WeightedDensity(ride.spectra, channel, weighting)}, {"unweighted", felt.density}},
           .is_logarithmic = true,
-          .ride_point = static_cast<int>(channel)};
+          // What the sliders compute are power spectra.
+          .ride_point = ride.by_spectra ? static_cast<int>(channel) : -1};
 }
 
 CurveGroup::Chart WeightingChart(const RideAnswer& ride, Weighting weighting) {
@@ -92,7 +93,7 @@ CurveGroup SpectraOfRide(const ShownRides& shown, std::size_t i) {
   std::vector<Weighting> weightings;
   for (std::size_t c = 0; c < ride.metrics.comfort.size(); ++c) {
     weightings.push_back(ride.metrics.comfort[c].weighting);
-    group.charts.push_back(WeightedChart(ride.spectra, c, weightings.back()));
+    group.charts.push_back(WeightedChart(ride, c, weightings.back()));
   }
   std::sort(weightings.begin(), weightings.end());
   weightings.erase(std::unique(weightings.begin(), weightings.end()), weightings.end());

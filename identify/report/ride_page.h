@@ -12,7 +12,7 @@ namespace fourpost {
 
 /// What `fourpost ride` found, to be shown.
 struct ShownRides {
-  /// Text of the vehicle's file, with which sliders begin.
+  /// Text of the vehicle's file, at whose values sliders begin.
   std::string file;
   std::vector<RideAnswer> rides;
   /// What the sliders begin with.

@@ -270,6 +270,7 @@ class Validation(ProgramTest):
         # Posts that go to the moon.
         lines = lines.replace("sweep_12mm", "sweep_7mm").replace(
             "{ground: z_ground}", "{ground: {channel: z_ground, scale: 1e9}}\n    use: validation")
+        self.assertIn("evaluations: 60", text)
         text = text.replace("evaluations: 60", "evaluations: 5")
         (folder / "study.yaml").write_text(text.replace("\nsearch:", lines + "\nsearch:"))
         outcome = self.run_program("fit", folder / "study.yaml", "-o", "run", "--no-suggest")

@@ -31,7 +31,9 @@ def dwells(frequencies, rate):
 def drop_swept_sine(study):
     """Of a study of the Land Rover's: to predict it takes most of the time of a quick fit, which does without."""
     part = r"# The same car on a swept sine.*?(?=(?:# [^\n]*\n)?static_loads:)"
-    study.write_text(re.sub(part, "", study.read_text(), flags=re.S))
+    text, found = re.subn(part, "", study.read_text(), flags=re.S)
+    assert found == 1, study
+    study.write_text(text)
 
 
 class Archive:

@@ -22,6 +22,7 @@ class Progress(ProgramTest):
         super().setUp()
         folder = SOURCE / "studies/landrover110"
         text = (folder / "model2.yaml").read_text().replace("file: ", f"file: {folder}/").replace("../..", str(SOURCE))
+        self.assertIn("evaluations: 100\n", text)
         self.write("endless.yaml", text.replace("evaluations: 100\n", "evaluations: 100000\n  generations: 100000\n"))
 
     def start(self, words, stderr, **environment):

@@ -387,7 +387,7 @@ test('the report of a fit to time histories opens without a fault', async () => 
   // Modes and ride follow sliders, what was recorded does not.
   await page.locator('#vehicle .opener').click();
   await page.waitForSelector('.whatif .ride tbody');
-  assert.match(await page.locator('.whatif').textContent(), /Time histories do not follow/);
+  assert.match(await page.locator('.whatif').textContent(), /Curves over time stay those of the fit/);
   await page.locator('.whatif button[aria-label=close]').click();
   // A mode is in no recording.
   await page.locator('#vehicle select').first().selectOption({ index: 0 });
@@ -604,7 +604,7 @@ describe('ride numbers beside the sliders', () => {
   };
 
   test('follow a slider, a road and a speed as the program has them', async (t) => {
-    const page = await open(browser, report);
+    const page = await open(report);
     await page.locator('#responses .opener').click();
     await page.waitForSelector('.whatif .ride tbody');
     assert.match(await page.locator('.whatif .ride summary').textContent(), /^ride on road C at 60 km\/h$/);
@@ -637,6 +637,6 @@ describe('ride numbers beside the sliders', () => {
     compared(other, 2, told('--road', 'B', '--speed', '100km/h', ...setting));
     assert.match(page.url(), /road=B%3A100/);
     assert.deepEqual(page.faults, []);
-    await page.context().close();
+    await close(page);
   });
 });

@@ -251,12 +251,12 @@ describe('what sliders compute', () => {
 
   test('what is typed is a value, or a change of the fit', () => {
     const k = { name: 'k', unit: 'kN/m', lower: 10, upper: 100, value: 50 };
-    for (const [text, value] of [['42', 42], ['4,2e1', 42], ['-30 %', 35], ['+10%', 55], ['\u221210 %', 45], ['*0.7', 35], ['/2', 25]]) {
+    for (const [text, value] of [['42', 42], ['4,2e1', 42], ['-30 %', 35], ['+10%', 55], ['\u221210 %', 45], ['*0.7', 35], ['/2', 25], ['42 kN/m', 42]]) {
       const typed = typedValue(k, text);
       assert.ok(Math.abs(typed.value - value) < 1e-9, text);
       assert.equal(typed.said, undefined);
     }
-    for (const text of ['', 'soft', '30 %', '*', '/0', '-5', '0', '*-1']) assert.equal(typedValue(k, text).value, undefined, text);
+    for (const text of ['', 'soft', '30 %', '+20', '42 N/m', '*', '/0', '-5', '0', '*-1']) assert.equal(typedValue(k, text).value, undefined, text);
     assert.deepEqual(typedValue(k, '200'), { value: 100, said: 'k: 200 is above its upper bound; set to 100 kN/m.' });
     assert.equal(typedValue(k, '1').value, 10);
     assert.equal(typedValue({ ...k, lower: -10 }, '-5').value, -5);

@@ -11,7 +11,7 @@ namespace fourpost {
 std::string BytesOf(const RideInstruments& instruments);
 
 /// The vehicle in them has no more than the names and laws of tyres, dampers and springs. Throws std::invalid_argument
-/// for bytes that BytesOf() of this version has not written.
+/// for bytes of another length than these are; whether indices fit a vehicle is for who has it, as LiveRide.
 RideInstruments RideInstrumentsOf(std::string_view bytes);
 
 }  // namespace fourpost

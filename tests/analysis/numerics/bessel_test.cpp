@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fourpost {
+namespace fourpost::bessel_test {
 namespace {
 
 TEST(BesselK1, IsThatOfTheStandardLibraryToRounding) {
@@ -15,4 +15,4 @@ TEST(BesselK1, IsThatOfTheStandardLibraryToRounding) {
 TEST(BesselK1, GrowsAsTheInverseNearZero) { EXPECT_NEAR(1e-9 * BesselK1(1e-9), 1, 1e-14); }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::bessel_test

@@ -8,7 +8,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/ride_metrics/ride_bytes.h"
 
-namespace fourpost {
+namespace fourpost::live_ride_test {
 namespace {
 
 constexpr RoadRequest kRoad{.roughness_m3 = 256e-6, .speed = 60 / 3.6};
@@ -40,4 +40,4 @@ TEST(LiveRide, RefusesAnUnstableVehicle) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::live_ride_test

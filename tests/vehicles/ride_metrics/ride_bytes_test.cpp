@@ -9,7 +9,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/ride_metrics/road_ride.h"
 
-namespace fourpost {
+namespace fourpost::ride_bytes_test {
 namespace {
 
 /// All numbers of a ride, by name.
@@ -43,4 +43,4 @@ TEST(RideBytes, RefuseOthers) {
 }
 
 }  // namespace
-}  // namespace fourpost
+}  // namespace fourpost::ride_bytes_test

@@ -21,7 +21,9 @@ const decades = 1e-4;
 
 /** Over decades: those below the largest. */
 function decadesOf(lists) {
-  const [, top] = extent(...lists) ?? [0, 1];
+  const [, largest] = extent(...lists) ?? [0, 1];
+  // Nothing but zeros, of a point that does not move this way.
+  const top = largest > 0 ? largest : 1;
   return [top * decades, 2 * top];
 }
 
@@ -85,7 +87,7 @@ export async function drawCurves(place, data, name) {
   const x = await withValues(group.x);
   const charts = await Promise.all(group.charts.map(async (one) => ({ ...one, lines: await Promise.all(one.lines.map(withValues)) })));
   const sync = uPlot.sync(`curves ${name}`);
-  const isSameRide = (ride) => ride?.road === group.road && Math.abs(ride.speed / 3.6 / group.speed - 1) < 1e-5;
+  const isSameRide = (ride) => ride != null && ride.road === group.road && Math.abs(ride.speed / 3.6 / group.speed - 1) < 1e-5;
   const cards = charts.map((one) => card(one, x, sync, group.title, isSameRide));
   // Lines of one name are alike in all charts where they stand in one place; a legend for each kind of chart.
   const keys = new Map(charts.filter(({ lines }) => lines.length > 1).map((one) => [one.lines.map(({ label }) => label).join(), one]));

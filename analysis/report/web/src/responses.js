@@ -188,6 +188,7 @@ export function drawResponses(place, data) {
         pair.prepend(sliders);
         show(true);
         answer();
+        sliders.querySelector('input[type=range]').focus({ preventScroll: true });
       } catch (error) {
         // The page stays what it is without.
         opener.replaceWith(el('span', { class: 'note' }, `This browser does not follow other values: ${error.message}`));

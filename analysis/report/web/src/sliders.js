@@ -19,6 +19,7 @@ export function drawSliders(place, data) {
       if (follows) follows.prepend(panel);
       else place.append(panel);
       answer();
+      panel.querySelector('input[type=range]').focus({ preventScroll: true });
     } catch (error) {
       // The page stays what it is without.
       opener.replaceWith(el('span', { class: 'note' }, `This browser does not follow other values: ${error.message}`));

@@ -55,12 +55,12 @@ function bodies(about, fitted, now) {
   );
 }
 
-/** What makes the numbers rough, as the program warns of it. */
+/** What makes the numbers rough. Of stops and of the grid the program alone warns. */
 function doubtsOf({ tyres: names }, { converged, tyres }) {
   const worst = tyres.reduce((most, { offGround }, i) => (offGround > tyres[most].offGround ? i : most), 0);
   return [
     converged ? '' : 'The statistical linearisation does not converge: these numbers are rough.',
-    tyres[worst]?.offGround > often ? `${names[worst]} is off the ground for ${shown(100 * tyres[worst].offGround, 2)} % of the time: normal motion describes that roughly.` : '',
+    tyres[worst]?.offGround > often ? `${names[worst]} is off the ground for ${shown(100 * tyres[worst].offGround, 2)} % of the time: these numbers assume Gaussian motion and are rough.` : '',
   ].filter((text) => text);
 }
 
@@ -80,7 +80,7 @@ export function rideTable(about, vehicle, fit, ask) {
   if (!about) return { box: el('p', { class: 'note' }, 'No ride numbers: no post moves this vehicle.'), follow: () => null };
   const counts = { points: listOf(about.points).length, tyres: listOf(about.tyres).length, dampers: listOf(about.dampers).length };
   const chosen = roadInAddress(about);
-  const first = { ...chosen };
+  const own = { road: about.road, speed: Number((3.6 * about.speed).toPrecision(6)) };
   let fitted = null;
   let lasts = 0;
   const said = el('p', { class: 'note', role: 'status' });
@@ -91,18 +91,20 @@ export function rideTable(about, vehicle, fit, ask) {
   /** At the values of the fit, once a road. */
   const ofFit = (values) => {
     if (fitted) return;
-    vehicle.set(fit);
+    fitted = { ride: null };
     try {
-      fitted = { ride: over() };
+      vehicle.set(fit);
+      fitted.ride = over();
     } catch {
-      fitted = { ride: null };
+      // Said of the values now, which are these at first.
+    } finally {
+      vehicle.set(values);
     }
-    vehicle.set(values);
   };
   const change = () => {
     fitted = null;
-    const isFirst = chosen.road === first.road && chosen.speed === first.speed && inAddress('road') == null;
-    putInAddress('road', isFirst ? null : `${chosen.road}:${chosen.speed}`);
+    const isOwn = chosen.road === own.road && chosen.speed === own.speed;
+    putInAddress('road', isOwn ? null : `${chosen.road}:${chosen.speed}`);
     head();
     ask();
   };
@@ -135,9 +137,10 @@ export function rideTable(about, vehicle, fit, ask) {
   head();
 
   function follow(values, rests) {
-    const waits = box.open && !rests && lasts > quick;
+    // Folded, it follows for the charts alone.
+    const waits = !rests && (!box.open || lasts > quick);
     table.setAttribute('aria-busy', waits);
-    if (!box.open || waits) return null;
+    if (waits) return null;
     const begin = performance.now();
     ofFit(values);
     let ride = null;

@@ -24,17 +24,21 @@ const numberIn = (text) => (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ?
 
 /**
  * What a reader typed for a parameter: {value, said}, `said` where it is not what was typed; without a value it is refused.
- * A number, or a change relative to the fit: "-30 %", "*0.7", "/2".
+ * A number, also with its unit, or a change relative to the fit: "-30 %", "*0.7", "/2".
  */
 export function typedValue(parameter, text) {
   const { name, unit, lower, upper, value: fit } = parameter;
   const plain = text.replaceAll(/\s/g, '').replaceAll('\u2212', '-').replaceAll('\u00d7', '*').replace(',', '.');
+  const ofUnit = unit.replaceAll(/\s/g, '');
+  const bare = ofUnit !== '1' && plain.endsWith(ofUnit) ? plain.slice(0, -ofUnit.length) : plain;
   const of = (number, unitOf = ` ${unit}`) => `${Number(number.toPrecision(4))}${unit === '1' ? '' : unitOf}`;
-  const [, sign, number, percent] = /^([*/]?)(.*?)(%?)$/.exec(plain);
+  const [, sign, number, percent] = /^([*/]?)(.*?)(%?)$/.exec(bare);
   const given = numberIn(number);
   const isChange = percent && /^[+-]/.test(number);
   if (given == null || (sign && percent) || (percent && !isChange) || (sign === '/' && given === 0))
     return { said: `${name}: '${text.trim()}' is not understood; write a number, or a change of the fit as -30 % or *0.7.` };
+  // A change whose per cent was forgotten.
+  if (number.startsWith('+') && !percent) return { said: `${name}: write '${number} %' for a change of the fit, or ${number.slice(1)} for this value.` };
   const value = isChange ? fit * (1 + given / 100) : sign === '*' ? fit * given : sign === '/' ? fit / given : given;
   if (lower > 0 && value <= 0) return { said: `${name} must be positive; ${of(value)} was not taken.` };
   if (value < lower) return { value: lower, said: `${name}: ${of(value, '')} is below its lower bound; set to ${of(lower)}.` };

@@ -272,7 +272,7 @@ export async function openWhatIf(data, shownRecording, shut) {
   const further = split < 0 ? [] : boxes.slice(split);
   const panel = el(
     'aside',
-    { class: 'whatif', 'aria-label': 'What if' },
+    { class: 'whatif', 'aria-label': 'What if', onkeydown: (event) => event.key === 'Escape' && close() },
     el(
       'div',
       { class: 'head' },
@@ -313,13 +313,13 @@ export async function openWhatIf(data, shownRecording, shut) {
     el(
       'div',
       { class: 'found' },
-      el('table', { class: 'modes' }, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'damping ratio'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
       ride.box,
+      el('table', { class: 'modes' }, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'mode'), ...['Hz', 'damping'].map((head) => el('th', { class: 'n', scope: 'col' }, head)))), modes),
     ),
     el('div', { class: 'copy' }, options, el('button', { type: 'button', onclick: copy }, 'copy')),
-    data.histories?.length ? el('p', { class: 'note' }, 'Time histories do not follow: the page lacks the full motion of their posts.') : null,
+    data.histories?.length ? el('p', { class: 'note' }, 'Curves over time stay those of the fit: this page does not have the motion of the posts that they take.') : null,
     data.live.file ? el('div', { class: 'copy' }, el('button', { type: 'button', onclick: saveVehicle }, 'save as vehicle file')) : null,
-    el('p', { class: 'note' }, split === 0 ? 'On each track: dot the value of the file.' : `On each track: dot the fit, line the start, band the interval of ${confidence}. Where others follow the data, those that you moved are held, and all others go where the fit would put them, by its Jacobian.`),
+    el('p', { class: 'note' }, split === 0 ? 'On each track: dot the value of the file.' : `On each track: dot the fit, line the start, band the interval of ${confidence}. Where others follow the data, those that you moved are held, and all others go where the data want them, to first order about the fit.`),
   );
   function close() {
     clearTimeout(waits);
@@ -327,8 +327,9 @@ export async function openWhatIf(data, shownRecording, shut) {
     panel.remove();
     putInAddress('whatif', null);
     putInAddress('held', null);
-    tellAnswer(null);
+    putInAddress('road', null);
     shut();
+    tellAnswer(null);
   }
   misfit.textContent = fromFit(fitted);
   // Of a link that was handed on.
