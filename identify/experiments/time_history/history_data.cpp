@@ -200,11 +200,15 @@ class HistoryLoader {
     const std::span<const double> heights(height.data(), static_cast<std::size_t>(height.size()));
     if (height.size() < 16) return;
     const Spectrum spectrum = WelchSpectrum(heights, heights, rate_Hz, segment);
+    // Noise of the sensor is no motion; a spectrum of few averages scatters by a factor of three.
+    const double noise = 3 * 2 * std::pow(NoiseFloor(heights), 2) / rate_Hz;
     std::vector<double> below;
     double sum = 0;
     // Of velocity, which dampers and sweeps go by.
-    for (std::size_t i = 0; i < spectrum.first.size() && spectrum.frequency_Hz[i] <= TakenBack_Hz(rate_Hz); ++i)
-      below.push_back(sum += std::pow(spectrum.frequency_Hz[i], 2) * spectrum.first[i]);
+    for (std::size_t i = 0; i < spectrum.first.size() && spectrum.frequency_Hz[i] <= TakenBack_Hz(rate_Hz); ++i) {
+      const double density = spectrum.first[i] > noise ? spectrum.first[i] : 0;
+      below.push_back(sum += std::pow(spectrum.frequency_Hz[i], 2) * density);
+    }
     const auto upper = std::lower_bound(below.begin(), below.end(), kMostOf * sum) - below.begin();
     const double upper_Hz = spectrum.frequency_Hz[static_cast<std::size_t>(upper)];
     if (sum == 0 || rate_Hz >= kLeast * upper_Hz) return;

@@ -143,6 +143,15 @@ TEST_F(HistoryDataTest, WarnsOfPostsSampledTooSlowly) {
   EXPECT_THAT(diagnostics_, Reports(kPostSampledTooSlowly, 3, {"'ground'", "62.5 Hz", "6 samples"}));
 }
 
+TEST_F(HistoryDataTest, TakesNoiseOfAPostForNoMotion) {
+  TimeHistory noisy = recorded_;
+  std::mt19937 random(4);
+  std::normal_distribution<double> noise(0, 0.1e-3);
+  for (double& height : noisy.posts.reshaped()) height += noise(random);
+  EXPECT_TRUE(Load(StationCsv(noisy, vehicle_)));
+  EXPECT_THAT(diagnostics_.Format(), testing::Not(testing::HasSubstr("post-sampled-too-slowly")));
+}
+
 TEST_F(HistoryDataTest, NamesNoChannelOfAnotherQuantityForOneThatIsMissing) {
   std::string text = StationCsv(recorded_, vehicle_);
   text.replace(text.find("z_sprung"), 8, "z_body__");
