@@ -38,7 +38,8 @@ class CsvParser {
     // Without a header no row can be right.
     if (!good_) return std::nullopt;
     while (scanner_.Next(record_)) {
-      if (IsCutOff()) ReportCutOff();
+      // Of what a recorder wrote; a result that is damaged is none.
+      if (header == CsvHeader::kNamesAndUnits && IsCutOff()) ReportCutOff();
       else AddRow();
     }
     if (good_ && table_.rows() == 0) Fault(0, {&kCsvNoRows});

@@ -65,7 +65,7 @@ class CsvTable {
 /// Reads a table in text (RFC 4180) of the dialect that it shows: quoted fields, LF or CRLF, with or without byte order
 /// mark; blank lines, a first line such as "sep=;", other lines above the names, columns without a name and content,
 /// separators behind the last field and a '#' before the first name do not count. Names of times may repeat where each
-/// channel has its own before it. Warns where a table begins with a row and has no names, and where the file ends
+/// channel has its own before it. Warns where a table begins with a row and has no names, and where one with units ends
 /// within a row, which is left out. Reports all of: an unreadable or empty file, JSON, a column without or with another
 /// one's name, rows of another length than the header, faulty quotes. Nothing when there was one.
 std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics,

@@ -46,7 +46,8 @@ const TableColumn* TimeTable::Find(const std::string& name) const {
 std::vector<TimeTable> ReadHistories(const std::string& text, const std::string& file, CsvHeader header) {
   Diagnostics faults;
   const std::optional<CsvTable> table = ParseCsv(text, file, faults, header);
-  if (!table) throw FaultyInput(faults);
+  // A result that ends within a row is damaged, whatever a recording may do.
+  if (!table || !faults.items().empty()) throw FaultyInput(faults);
   const std::optional<std::size_t> names = table->FindColumn("recording");
   if (!names) Refuse(kFitColumnMissing, {file, 1}, {"recording"});
   std::vector<TimeTable> histories;

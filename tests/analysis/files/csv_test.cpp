@@ -47,11 +47,14 @@ TEST(Csv, NeedsNoLineBreakAtItsEnd) { EXPECT_EQ(ParseGood("f\n1\n2").rows(), 2);
 
 TEST(Csv, LeavesOutALastRowThatIsCutOff) {
   Diagnostics diagnostics;
-  const std::optional<CsvTable> table = ParseCsv("a,b,c\n1,2,3\n4,5,6\n7,8.", "t.csv", diagnostics);
+  const std::optional<CsvTable> table =
+      ParseCsv("a,b,c\ns,m,m\n1,2,3\n4,5,6\n7,8.", "t.csv", diagnostics, CsvHeader::kNamesAndUnits);
   ASSERT_TRUE(table) << diagnostics.Format();
   EXPECT_EQ(table->rows(), 2);
-  EXPECT_THAT(diagnostics, ReportsOnly(kCsvLastRowCut, 4, {"2 fields of 3"}));
+  EXPECT_THAT(diagnostics, ReportsOnly(kCsvLastRowCut, 5, {"2 fields of 3"}));
   EXPECT_THAT(Faults("a,b,c\n1,2,3\n4,5\n7,8,9"), ReportsOnly(kCsvRowLength, 3, {"2", "3"}));
+  // Results of our own have no units, and are damaged.
+  EXPECT_THAT(Faults("a,b,c\n1,2,3\n4,5"), ReportsOnly(kCsvRowLength, 3, {"2", "3"}));
 }
 
 TEST(Csv, MayHaveARowOfUnits) {
