@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, rmSync } from 'node:fs';
 import { fitted, studies } from './runs.mjs';
 
-assert.match(process.env.FOURPOST_RUNS ?? '', /browser_runs$/, 'a folder of the build, which is made anew');
+assert.match(process.env.FOURPOST_RUNS ?? '', /browser_fits$/, 'a folder of the build, which is made anew');
 rmSync(process.env.FOURPOST_RUNS, { recursive: true, force: true });
 mkdirSync(process.env.FOURPOST_RUNS, { recursive: true });
 studies.forEach(fitted);

@@ -22,7 +22,7 @@ double LeastDifference(std::vector<double> values) {
 TEST(SignalLevels, AreThoseOfAConverterHoweverLongTheRecording) {
   for (const int samples : {1000, 400000}) {
     std::vector<double> signal(samples);
-    for (int k = 0; k < samples; ++k) signal[k] = 0.37e-3 * std::round(9000 * std::sin(1e-3 * k));
+    for (int k = 0; k < samples; ++k) signal[k] = 0.37e-3 * std::round(0.01 * samples * std::sin(1e-3 * k));
     // Products of integers and a count differ by rounding.
     EXPECT_NEAR(LevelOf(signal), 0.37e-3, 1e-12) << samples;
   }
