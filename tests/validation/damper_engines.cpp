@@ -98,7 +98,7 @@ std::string History(const Engines& engines) {
   const TimeHistory full = Simulate(system, Move, grid, [began](double) { return Seconds() - began < kPatience_s; });
   const std::string row = NumberText(reduced.change) + ",";
   if (full.size() < reduced.history.size()) return row;
-  return row + NumberText(Differences(reduced.history, full, engines.vehicle.sensors).maxCoeff());
+  return row + NumberText(RelativeDifferences(reduced.history, full, engines.vehicle.sensors).maxCoeff());
 }
 
 }  // namespace
