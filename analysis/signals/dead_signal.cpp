@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/signals/deviation.h"
 #include "analysis/signals/signal_levels.h"
 
 namespace fourpost {
@@ -13,16 +14,13 @@ bool IsDead(std::span<const double> signal) {
   // Of a motion, which is sampled six times a period at least, more than half lasts.
   constexpr double kLasting = 0.3;
   if (signal.size() < kFewest) return false;
-  double mean = 0;
-  for (const double value : signal) mean += value / static_cast<double>(signal.size());
-  double squares = 0;
+  const double mean = Mean(signal);
+  const double deviation = DeviationOf(signal);
   double products = 0;
-  for (std::size_t k = 0; k < signal.size(); ++k) {
-    squares += (signal[k] - mean) * (signal[k] - mean);
-    if (k > 0) products += (signal[k] - mean) * (signal[k - 1] - mean);
-  }
-  const double rms = std::sqrt(squares / static_cast<double>(signal.size()));
-  return rms < kMostLevels * LevelOf(signal) && std::abs(products) < kLasting * squares;
+  for (std::size_t k = 1; k < signal.size(); ++k) products += (signal[k] - mean) * (signal[k - 1] - mean);
+  const double squares = deviation * deviation * static_cast<double>(signal.size());
+  // Levels last: they take a search.
+  return std::abs(products) < kLasting * squares && deviation < kMostLevels * LevelOf(signal);
 }
 
 }  // namespace fourpost

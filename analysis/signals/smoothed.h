@@ -10,8 +10,8 @@ namespace fourpost {
 /// doi:10.1017/S0013091500077853). No delay. The weight is a tenth of the one by which each sample is predicted best
 /// from all others: generalised cross-validation (Craven and Wahba 1979, doi:10.1007/BF01404567), which is best for the
 /// signal and too much for its slope. Of the fastest motion in a sweep it takes less than two thousandths, for noise of
-/// up to a twentieth of that motion. A signal in which this finds no noise, as at less than six samples a period, and
-/// one of fewer than 64 samples come back as they are.
+/// up to a twentieth of that motion. A signal comes back as it is where this finds no noise, where what it finds is
+/// more than a tenth of the signal (motion at three samples a period), and if it has fewer than 64 samples.
 std::vector<double> WithoutNoise(std::span<const double> signal);
 
 }  // namespace fourpost

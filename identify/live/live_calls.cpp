@@ -1,5 +1,6 @@
 #include "identify/live/live_calls.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <span>
@@ -65,12 +66,13 @@ void Open(std::string_view vehicle, std::string_view ride, Instance& here) {
 }
 
 void WriteRide(const RoadRide& ride, std::vector<double>& answer) {
-  answer = {ride.converged ? 1.0 : 0.0, ride.grid_change};
+  double contact = 0;
+  for (const RideMetrics::Stop& stop : ride.metrics.stops) contact = std::max(contact, stop.contact);
+  answer = {ride.converged ? 1.0 : 0.0, ride.grid_change, contact};
   for (const RideMetrics::Comfort& comfort : ride.metrics.comfort) answer.push_back(comfort.weighted.rms);
   for (const RideMetrics::Wheel& wheel : ride.metrics.wheels)
-    answer.insert(answer.end(), {wheel.Variation(), wheel.rms_N, wheel.off_ground});
-  for (const RideMetrics::Strut& strut : ride.metrics.struts)
-    answer.insert(answer.end(), {strut.travel_rms_m, strut.speed_rms});
+    answer.insert(answer.end(), {wheel.Variation(), wheel.off_ground});
+  for (const RideMetrics::Strut& strut : ride.metrics.struts) answer.push_back(strut.travel_rms_m);
   const std::vector<double>& frequencies = ride.spectra.frequency_Hz;
   answer.insert(answer.end(), frequencies.begin(), frequencies.end());
   for (std::size_t i = 0; i < ride.metrics.comfort.size(); ++i) {

@@ -29,9 +29,9 @@ int live_response(std::size_t posts, std::size_t frequencies);
 int live_modes();
 
 /// Room: roughness [m^3] and speed [m/s] of a road, and its band's bounds [Hz]. Of a vehicle with ride instruments.
-/// Answer: 1 where the ride converged, else 0, and the error of its grid; of each point the weighted rms [m/s^2]; of
-/// each tyre the load variation, its rms [N], and the share of time off the ground; of each damper the rms of its
-/// travel [m] and of its speed [m/s]; then the frequencies [Hz], and of each point the weighted density [(m/s^2)^2/Hz]
+/// Answer: 1 where the ride converged, else 0, the error of its grid, and the share of time of the stop that is in
+/// contact most; of each point the weighted rms [m/s^2]; of each tyre the load variation and the share of time off the
+/// ground; of each damper the rms of its travel [m]; then the frequencies [Hz], and of each point the weighted density [(m/s^2)^2/Hz]
 /// at them. The number of frequencies.
 int live_ride();
 }

@@ -1,6 +1,6 @@
 // Pages of what commands answer of a vehicle: modes, responses, kinematics, histories.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, test } from 'node:test';
 import { faultsOf } from './axe.mjs';
@@ -232,6 +232,36 @@ describe('the page of a ride', () => {
       await page.locator('#ride-1 .opener').click();
       await page.waitForSelector('.whatif .ride tbody');
       assert.match(await page.locator('.whatif .ride summary').textContent(), /road C at 60 km\/h/);
+      // Folded, it has no answer while a slider moves; and closes by a key.
+      await page.locator('.whatif .ride summary').click();
+      await page.locator('.whatif .row[data-parameter=k] input[type=range]').press('ArrowRight');
+      await page.waitForTimeout(300);
+      assert.ok(!(await page.locator('.whatif').textContent()).includes('Not possible'));
+      await page.keyboard.press('Escape');
+      await page.waitForSelector('.whatif', { state: 'detached' });
+      assert.ok(await page.locator('#ride-1 .opener').isEnabled());
+    });
+  });
+
+  test('over time has no curve that would follow, and closes its sliders', async () => {
+    const folder = folderOf('road over time', 'ride', car('quarter_car'), '--road', 'C', '--speed', '60km/h', '--time', '--duration', '4s', '--engine', 'reduced');
+    await look(folder, async (page) => {
+      assert.ok((await page.locator('#ride-1 .legend').allTextContents()).join().includes('what if'));
+      assert.ok(!(await page.locator('#ride-2 .legend').allTextContents()).join().includes('what if'));
+      await page.locator('#ride-1 .opener').click();
+      await page.waitForSelector('.whatif .ride tbody');
+      await page.locator('.whatif button[aria-label=close]').click();
+      assert.ok(await page.locator('#ride-1 .opener').isEnabled());
+    });
+  });
+
+  test('of a point that cannot move its way has an empty chart', async () => {
+    const file = join(scratch, 'sideways.urdf');
+    const sensor = '<fp:sensor name="a_ahead" type="accelerometer" link="sprung" xyz="0 0 0" axis="1 0 0"/>';
+    writeFileSync(file, readFileSync(car('quarter_car'), 'utf8').replace('<fp:sensor name="a_unsprung"', `${sensor}\n  $&`).replaceAll('../meshes', join(root, 'meshes')));
+    const folder = folderOf('sideways', 'ride', file, '--road', 'C', '--speed', '60km/h');
+    await look(folder, async (page) => {
+      assert.equal(await page.locator('#ride-1 .chart', { hasText: /^a_ahead/ }).locator('canvas').count(), 1);
     });
   });
 });

@@ -33,6 +33,11 @@ describe('WebAssembly of live pages', () => {
 
   test('knows all shipped vehicles on posts', () => assert.ok(lines.length >= 12, `${lines.length}`));
 
+  test('has the ride of nearly all of them', () => {
+    const having = lines.filter(({ draws }) => draws.some(({ rides }) => rides.some(({ frequencies }) => frequencies > 0)));
+    assert.ok(having.length >= 12, `${having.length}`);
+  });
+
   for (const { file, coordinates, vehicle, instruments, points, tyres, dampers, draws } of lines)
     test(`answers as the native program: ${file.slice(root.length + 1)}`, async () => {
       const car = await openVehicle(program, vehicle, instruments);
@@ -65,9 +70,9 @@ describe('WebAssembly of live pages', () => {
           assert.equal(found.frequency_Hz.length, frequencies);
           const list = [...found.points, ...found.tyres, ...found.dampers].flatMap((one) => Object.values(one));
           // Each number by its own size: tyres that never lift off have a share of nothing.
-          [+found.converged, found.gridError, ...list].forEach((value, i) => assert.ok(Math.abs(value - numbers[i]) <= limit * Math.max(Math.abs(numbers[i]), 1e-3), `number ${i} of a ride: ${value} and ${numbers[i]}`));
+          [+found.converged, found.gridError, found.stopContact, ...list].forEach((value, i) => assert.ok(Math.abs(value - numbers[i]) <= limit * Math.max(Math.abs(numbers[i]), 1e-3), `number ${i} of a ride: ${value} and ${numbers[i]}`));
           found.density.forEach((density, i) => {
-            const expected = numbers.slice(2 + list.length + (1 + i) * frequencies).slice(0, frequencies);
+            const expected = numbers.slice(3 + list.length + (1 + i) * frequencies).slice(0, frequencies);
             assert.ok(difference(density, expected, largestOf(expected)) < limit, `density of point ${i}`);
           });
         }

@@ -54,7 +54,7 @@ Json RidesOver(const std::vector<std::vector<double>>& roads, const RideInstrume
     Put(road);
     const int frequencies = live_ride();
     const std::size_t points = instruments.points.size();
-    const std::size_t numbers = 2 + points + 3 * instruments.loads.size() + 2 * instruments.dampers.size();
+    const std::size_t numbers = 3 + points + 2 * instruments.loads.size() + instruments.dampers.size();
     const std::size_t spectra = static_cast<std::size_t>(std::max(frequencies, 0)) * (1 + points);
     rides.push_back({{"road", road},
                      {"frequencies", frequencies},

@@ -1,5 +1,6 @@
 #include "identify/experiments/time_history/kalman_predictor.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -106,6 +107,11 @@ class Maps {
   KeptSlopes read_slopes_;
 };
 
+bool HasUnknown(const MeasuredHistory& history) {
+  return std::any_of(history.signals.begin(), history.signals.end(),
+                     [](const MeasuredSignal& signal) { return !signal.is_unknown.empty(); });
+}
+
 /// A sample that was not measured corrects nothing.
 void LeaveOutUnknown(const MeasuredSignal& signal, Index i, Index row, VectorXd& innovation, MatrixXd& sensor) {
   constexpr double kUnknown = 1e12;
@@ -162,6 +168,8 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
     process += push * push.transpose();
   }
   const MatrixXd known_sensor = noise.sensor_sd.array().square().matrix().asDiagonal();
+  MatrixXd sensor = known_sensor;
+  const bool has_unknown = HasUnknown(*history_);
 
   KalmanPrediction out{.predicted = MatrixXd(history_->count, signals),
                        .innovations = MatrixXd(history_->count, signals),
@@ -185,8 +193,8 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
       innovation[i] = history_->signals[static_cast<std::size_t>(i)].values[row] + offset[i];
     innovation -= out.predicted.row(row).transpose();
     out.predicted.row(row) -= offset;
-    MatrixXd sensor = known_sensor;
-    for (Index i = 0; i < signals; ++i)
+    if (has_unknown) sensor = known_sensor;
+    for (Index i = 0; has_unknown && i < signals; ++i)
       LeaveOutUnknown(history_->signals[static_cast<std::size_t>(i)], i, row, innovation, sensor);
     const MatrixXd spread = read * covariance * read.transpose() + sensor;
     const Eigen::LLT<MatrixXd> root(spread);

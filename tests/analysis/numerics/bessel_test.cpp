@@ -1,6 +1,7 @@
 #include "analysis/numerics/bessel.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,10 @@ TEST(BesselK1, IsThatOfTheStandardLibraryToRounding) {
 
 // DLMF 10.30.2.
 TEST(BesselK1, GrowsAsTheInverseNearZero) { EXPECT_NEAR(1e-9 * BesselK1(1e-9), 1, 1e-14); }
+
+TEST(BesselK1, EndsForWhatIsNoNumber) {
+  EXPECT_TRUE(std::isnan(BesselK1(std::numeric_limits<double>::quiet_NaN())));
+}
 
 }  // namespace
 }  // namespace fourpost::bessel_test

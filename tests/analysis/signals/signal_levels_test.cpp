@@ -2,22 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace fourpost::signal_levels_test {
 namespace {
-
-/// The smallest difference by all values in order.
-double LeastDifference(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  double least = values.back() - values.front();
-  for (std::size_t k = 1; k < values.size(); ++k)
-    if (values[k] > values[k - 1]) least = std::min(least, values[k] - values[k - 1]);
-  return least;
-}
 
 TEST(SignalLevels, AreThoseOfAConverterHoweverLongTheRecording) {
   for (const int samples : {1000, 400000}) {
@@ -29,12 +18,12 @@ TEST(SignalLevels, AreThoseOfAConverterHoweverLongTheRecording) {
 }
 
 TEST(SignalLevels, OfManyValuesAreTheirSmallestDifference) {
-  std::mt19937 random(1);
   std::vector<double> signal(300000);
-  // Integers: no difference is so small that it counts as rounding.
-  std::uniform_int_distribution<int> integer(0, 100000000);
-  for (double& value : signal) value = 7 * integer(random);
-  EXPECT_EQ(LevelOf(signal), LeastDifference(signal));
+  for (std::size_t k = 0; k < signal.size(); ++k) signal[k] = 10 * static_cast<double>(k);
+  EXPECT_EQ(LevelOf(signal), 10);
+  signal.back() += 3;
+  signal.push_back(signal.back() + 4);
+  EXPECT_EQ(LevelOf(signal), 4);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "identify/live/live_ride.h"
 
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -27,6 +28,23 @@ TEST(LiveRide, IsThatOfTheCommand) {
   EXPECT_EQ(ride.metrics.comfort[0].weighted.rms, expected.metrics.comfort[0].weighted.rms);
   EXPECT_EQ(ride.metrics.wheels[3].rms_N, expected.metrics.wheels[3].rms_N);
   EXPECT_EQ(ride.metrics.struts[0].travel_rms_m, expected.metrics.struts[0].travel_rms_m);
+}
+
+TEST(LiveRide, RefusesInstrumentsOfAnotherVehicle) {
+  const ReducedData data = CondensedVehicle(InstrumentRide(ShippedVehicle("quarter_car")).vehicle).reduced().data();
+  EXPECT_THROW(LiveRide(data, InstrumentRide(ShippedVehicle("landrover110"))), std::invalid_argument);
+  // A damaged page.
+  RideInstruments damaged = InstrumentRide(ShippedVehicle("quarter_car"));
+  EXPECT_NO_THROW(LiveRide(data, damaged));
+  damaged.loads[0] = data.sensors.size();
+  EXPECT_THROW(LiveRide(data, damaged), std::invalid_argument);
+}
+
+TEST(LiveRide, RefusesValuesThatAreNoNumbers) {
+  const Vehicle vehicle = ShippedVehicle("quarter_car");
+  std::vector<double> values = vehicle.ParameterValues();
+  values[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(LiveRideOf(InstrumentRide(vehicle)).Over(values, kRoad), std::runtime_error);
 }
 
 // A spring that pushes the body away.

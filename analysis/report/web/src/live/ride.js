@@ -14,6 +14,8 @@ const speeds = [5, 300];
 /** A ride that takes longer [ms] waits until the hand rests. */
 const quick = 40;
 const often = 0.01;
+const coarse = 0.005;
+const gaussian = 'these numbers assume Gaussian motion and are rough.';
 
 /** Numbers of a ride as rows: [heading, [[name, value], ...]]. */
 function numbersOf({ points, tyres, dampers }, ride) {
@@ -55,12 +57,14 @@ function bodies(about, fitted, now) {
   );
 }
 
-/** What makes the numbers rough. Of stops and of the grid the program alone warns. */
-function doubtsOf({ tyres: names }, { converged, tyres }) {
+/** What makes the numbers rough, as the program warns of it. */
+function doubtsOf({ tyres: names }, { converged, gridError, stopContact, tyres }) {
   const worst = tyres.reduce((most, { offGround }, i) => (offGround > tyres[most].offGround ? i : most), 0);
   return [
     converged ? '' : 'The statistical linearisation does not converge: these numbers are rough.',
-    tyres[worst]?.offGround > often ? `${names[worst]} is off the ground for ${shown(100 * tyres[worst].offGround, 2)} % of the time: these numbers assume Gaussian motion and are rough.` : '',
+    converged && gridError > coarse ? `A mode has next to no damping: halving the steps in frequency still changes a number by ${shown(100 * gridError, 2)} %.` : '',
+    tyres[worst]?.offGround > often ? `${names[worst]} is off the ground for ${shown(100 * tyres[worst].offGround, 2)} % of the time: ${gaussian}` : '',
+    stopContact > often ? `A stop is in contact for ${shown(100 * stopContact, 2)} % of the time: ${gaussian}` : '',
   ].filter((text) => text);
 }
 

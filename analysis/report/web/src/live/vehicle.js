@@ -61,13 +61,14 @@ export async function openVehicle(program, vehicle, instruments = '') {
 
     /**
      * Of a road of this `roughness` [m^3] at a `speed` [m/s] within a band [Hz]: of so many points, tyres and dampers
-     * {converged, gridError, points: [{weighted}], tyres: [{variation, rms, offGround}], dampers: [{travel, speed}],
-     * frequency_Hz, density}, SI, `density` the weighted one of each point.
+     * {converged, gridError, stopContact, points: [{weighted}], tyres: [{variation, offGround}], dampers: [{travel}],
+     * frequency_Hz, density}, SI, `density` the weighted one of each point, `stopContact` the share of time of the stop
+     * that is in contact most.
      */
     ride({ roughness, speed, band_Hz }, { points, tyres, dampers }) {
       put([roughness, speed, ...band_Hz]);
       const n = checked(exports.live_ride());
-      const all = answer(2 + points + 3 * tyres + 2 * dampers + n * (1 + points));
+      const all = answer(3 + points + 2 * tyres + dampers + n * (1 + points));
       let at = 0;
       const next = (count) => all.subarray(at, (at += count));
       const each = (count, names) =>
@@ -75,13 +76,14 @@ export async function openVehicle(program, vehicle, instruments = '') {
           const numbers = next(names.length);
           return Object.fromEntries(names.map((name, i) => [name, numbers[i]]));
         });
-      const [converged, gridError] = next(2);
+      const [converged, gridError, stopContact] = next(3);
       return {
         converged: converged === 1,
         gridError,
+        stopContact,
         points: each(points, ['weighted']),
-        tyres: each(tyres, ['variation', 'rms', 'offGround']),
-        dampers: each(dampers, ['travel', 'speed']),
+        tyres: each(tyres, ['variation', 'offGround']),
+        dampers: each(dampers, ['travel']),
         frequency_Hz: next(n),
         density: Array.from({ length: points }, () => next(n)),
       };
