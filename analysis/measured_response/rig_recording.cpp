@@ -7,6 +7,7 @@
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_summary.h"
+#include "analysis/files/recording_window.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/measured_response/findings.h"
 #include "analysis/text/nearest.h"
@@ -276,26 +277,10 @@ class RigReader {
 
   /// To the stated window; false where nothing is left of it.
   bool Cut(TimeRecording& recording) {
-    const auto sample = [&](double t) { return (t - recording.start_s) * recording.rate_Hz(); };
-    const auto last = static_cast<double>(recording.samples()) - 1;
-    const double begin =
-        preparation_.start_s ? std::clamp(std::ceil(sample(*preparation_.start_s) - 1e-6), 0.0, last + 1) : 0;
-    const double end =
-        preparation_.end_s ? std::clamp(std::floor(sample(*preparation_.end_s) + 1e-6), -1.0, last) : last;
-    constexpr double kLeast = 16;
-    if (end - begin + 1 < kLeast && end - begin < last) {
-      diagnostics_.Report(kResponseWindowEmpty, {file_.string()},
-                          {Rounded(recording.start_s, 3), Rounded(recording.end_s, 3)});
-      return false;
-    }
-    if (begin > 0 || end < last)
-      recording.preparations.push_back(
-          CutTo(recording.time_s(static_cast<std::size_t>(begin)), recording.time_s(static_cast<std::size_t>(end))));
-    for (std::vector<double>& channel : recording.channels) {
-      channel.erase(channel.begin() + static_cast<std::ptrdiff_t>(end) + 1, channel.end());
-      channel.erase(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(begin));
-    }
-    return true;
+    if (CutToWindow({.start_s = preparation_.start_s, .end_s = preparation_.end_s}, recording)) return true;
+    diagnostics_.Report(kResponseWindowEmpty, {file_.string()},
+                        {Rounded(recording.start_s, 3), Rounded(recording.end_s, 3)});
+    return false;
   }
 
   const std::filesystem::path& file_;

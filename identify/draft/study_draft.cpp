@@ -1,9 +1,11 @@
 #include "identify/draft/study_draft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "analysis/signals/motionless.h"
@@ -301,19 +303,42 @@ class Drafter {
   /// Of a vehicle without posts, a damper between clamps.
   void AddBench() {
     std::string list;
-    std::string channels;
+    std::string shared;
+    BenchColumns columns = {"displacement", "force"};
     for (std::size_t i = 0; i < readings_.size(); ++i) {
       if (readings_[i].kind != Kind::kBench) continue;
       drafted_[i].use = "bench";
       drafted_[i].channels_left.clear();
       drafted_[i].channels.clear();
-      if (list.empty())
-        for (const auto& [key, dimension] : {std::pair("displacement", kLength), std::pair("force", kForce)})
-          if (const std::string name = BenchChannel(readings_[i], dimension); name != key)
-            channels += std::string("  ") + key + ": " + YamlText(name) + "\n";
-      list += "    - " + Relative(readings_[i].path) + "\n";
+      const BenchColumns own = {BenchChannel(readings_[i], kLength), BenchChannel(readings_[i], kForce)};
+      if (list.empty()) {
+        shared = LinesOf(own, columns, "  ");
+        columns = own;
+      }
+      const std::string lines = Indented(TimesOf(readings_[i]), "  ") + LinesOf(own, columns, "      ");
+      const std::string path = Relative(readings_[i].path);
+      list += lines.empty() ? "    - " + path + "\n" : "    - file: " + path + "\n" + lines;
     }
-    if (!list.empty()) text_ += "\nbench:\n" + channels + "  recordings:\n" + list;
+    if (!list.empty()) text_ += "\nbench:\n" + shared + "  recordings:\n" + list;
+  }
+
+  /// Of displacement and force.
+  using BenchColumns = std::array<std::string, 2>;
+
+  /// For columns that are called otherwise.
+  static std::string LinesOf(const BenchColumns& own, const BenchColumns& others, const std::string& indent) {
+    constexpr std::array<const char*, 2> kKeys = {"displacement", "force"};
+    std::string lines;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (own[i] != others[i]) lines += indent + kKeys[i] + ": " + YamlText(own[i]) + "\n";
+    return lines;
+  }
+
+  static std::string Indented(const std::string& lines, const std::string& by) {
+    std::string text;
+    std::istringstream in(lines);
+    for (std::string line; std::getline(in, line);) text += by + line + '\n';
+    return text;
   }
 
   void Check(StudyDraft& draft) const {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/files/bridged_samples.h"
 #include "analysis/files/near_file.h"
+#include "analysis/files/recording_window.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/smoothed.h"
 #include "analysis/signals/unfiltered.h"
 #include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 #include "identify/experiments/bench/findings.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/source_recording.h"
@@ -43,10 +46,17 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
                                    const std::optional<BenchDamper>& damper, Diagnostics& diagnostics) {
   // Both ends may be drawn at one point.
   const double length_m = damper && damper->length_m() > 0 ? damper->length_m() : kLongestStroke_m;
-  const std::array<RecordedChannel, 2> wanted = {AsRecorded(study.displacement, kLength, "the damper's extension"),
-                                                 AsRecorded(study.force, kForce, "the damper's tension")};
-  std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics, TimeColumn(study.time));
+  const std::array<RecordedChannel, 2> wanted = {
+      AsRecorded(from.displacement.value_or(study.displacement), kLength, "the damper's extension"),
+      AsRecorded(from.force.value_or(study.force), kForce, "the damper's tension")};
+  std::optional<TimeRecording> read = ReadTimeRecording(
+      from.file, wanted, diagnostics, TimeColumn(from.time ? from.time : study.time), from.preparation);
   if (!read) return std::nullopt;
+  if (!CutToWindow({.start_s = from.start_s, .end_s = from.end_s}, *read)) {
+    diagnostics.Report(kBenchWindowOutside, {from.file.string()},
+                       {std::to_string(kFewestInWindow), FormatNumber(read->start_s), FormatNumber(read->end_s)});
+    return std::nullopt;
+  }
   // Before anything else, which would be an effect of it.
   if (study.rig_filter && !CheckFilterRate(from.file.filename().string(), read->rate_Hz(), study.rig_filter->cutoff_Hz,
                                            {from.file.string()}, diagnostics))
@@ -57,6 +67,8 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
                            .sample_s = read->step_s,
                            .motion = {},
                            .force = std::move(read->channels[1]),
+                           .is_unknown = BridgedSamples(*read, read->gaps[1]),
+                           .preparations = std::move(read->preparations),
                            .filter = {},
                            .end = read->samples()};
   // Its noise would be differentiated.

@@ -29,6 +29,10 @@ struct BenchRecording {
   BenchMotion motion;
   /// As measured, N.
   std::vector<double> force;
+  /// Per sample of the force, whether it was not measured: in a gap that is bridged. Empty: all were.
+  std::vector<char> is_unknown = {};
+  /// What was done to it, a sentence each.
+  std::vector<std::string> preparations = {};
   /// Through which the force has passed.
   std::optional<LowPass> filter;
   double cutoff_Hz = 0;
@@ -36,6 +40,7 @@ struct BenchRecording {
   std::size_t first = 0;
   std::size_t end = 0;
 
+  bool IsUnknown(std::size_t sample) const { return !is_unknown.empty() && is_unknown[sample]; }
   double time_s(std::size_t sample) const { return start_s + sample_s * static_cast<double>(sample); }
 };
 

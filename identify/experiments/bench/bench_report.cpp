@@ -5,8 +5,10 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/picture_number.h"
+#include "identify/experiments/preparations_html.h"
 #include "identify/experiments/run_history.h"
 #include "identify/experiments/shared_curves.h"
+#include "identify/study_file/result_reader.h"
 
 namespace fourpost {
 namespace {
@@ -29,7 +31,8 @@ Json EquivalentsJson(const std::string& text, const std::string& file) {
 
 class CycleData : public ExperimentData {
  public:
-  explicit CycleData(const RunFolder& run) {
+  explicit CycleData(const RunFolder& run)
+      : preparations_(PreparationsHtml(ListAt(run.result, "integration"), "recording")) {
     if (const std::string* text = run.Find(kForces))
       recordings_ = HistoriesJson(*text, run.FileNamed(kForces), CsvHeader::kNames);
     if (const std::string* text = run.Find(kEquivalents))
@@ -42,10 +45,13 @@ class CycleData : public ExperimentData {
 
   std::vector<ReportSection> Sections() const override {
     return {{"bench", "Damper bench",
-             html::Drawn("bench", "The charts need JavaScript; bench.csv beside this file has their numbers."), true}};
+             preparations_ +
+                 html::Drawn("bench", "The charts need JavaScript; bench.csv beside this file has their numbers."),
+             true}};
   }
 
  private:
+  std::string preparations_;
   Json recordings_ = Json::array();
   Json equivalents_ = Json::array();
 };

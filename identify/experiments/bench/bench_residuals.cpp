@@ -49,7 +49,7 @@ Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& target
     const std::vector<double> force = ModelledForce(damper, recording, values);
     if (force.empty()) return Infeasible(1, "a chamber of the damper closes in '" + recording.name + "'");
     for (std::size_t k = recording.first; k < recording.end; k += target.stride)
-      *out++ = target.weight * (force[k] - recording.force[k]);
+      *out++ = recording.IsUnknown(k) ? 0 : target.weight * (force[k] - recording.force[k]);
   }
   return evaluation;
 }

@@ -7,6 +7,7 @@
 #include "identify/study_file/channel_source_reader.h"
 #include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
+#include "identify/study_file/preparation_reader.h"
 
 namespace fourpost {
 namespace {
@@ -22,12 +23,9 @@ class BenchReader {
         diagnostics_);
     study_.line = LineOf(node);
     study_.damper = map.Text("damper");
-    const auto channel = [&](const char* key) {
-      return ReadSourceChannel(map.Get(key), "'" + std::string(key) + "'", ChannelKind::kHistory, file_, diagnostics_);
-    };
-    if (map.Has("displacement")) study_.displacement = channel("displacement");
-    if (map.Has("force")) study_.force = channel("force");
-    if (map.Has("time")) study_.time = channel("time");
+    if (const auto displacement = Channel(map, "displacement")) study_.displacement = *displacement;
+    if (const auto force = Channel(map, "force")) study_.force = *force;
+    study_.time = Channel(map, "time");
     if (map.Has("rig_filter")) ReadFilter(map.Get("rig_filter"));
     study_.model_error = map.Quantity("model_error", kDimensionless, 0).value_or(study_.model_error);
     if (study_.model_error == 0) map.FaultOf("model_error", kKeyNotPositive);
@@ -38,6 +36,12 @@ class BenchReader {
   }
 
  private:
+  std::optional<SourceChannel> Channel(const StrictMap& map, const char* key, const std::string& of = "") {
+    if (!map.Has(key)) return std::nullopt;
+    return ReadSourceChannel(map.Get(key), "'" + std::string(key) + "'" + of, ChannelKind::kHistory, file_,
+                             diagnostics_);
+  }
+
   void ReadFilter(const YAML::Node& node) {
     const StrictMap map(node, "'rig_filter'", {"order", "cutoff"}, file_, diagnostics_);
     RigFilter filter;
@@ -48,7 +52,7 @@ class BenchReader {
     study_.rig_filter = filter;
   }
 
-  /// Files, or {name, file}.
+  /// Files, or mappings.
   void ReadRecordings(const YAML::Node& list, const std::string& where, std::vector<BenchStudy::Recording>& out) {
     if (!list.IsSequence() || list.size() == 0) {
       diagnostics_.Report(kBenchRecordingsEmpty, {file_, LineOf(list)}, {where});
@@ -71,14 +75,29 @@ class BenchReader {
     if (entry.IsScalar()) {
       recording.file = Resolve(entry.Scalar());
     } else {
-      const StrictMap map(entry, "the recording", {"name", "file", "control"}, file_, diagnostics_);
+      const StrictMap map(
+          entry, "the recording",
+          {"name", "file", "control", "displacement", "force", "time", "start", "end", "resample", "bridge", "with"},
+          file_, diagnostics_);
       map.Require("file");
       if (const auto file = map.Text("file")) recording.file = Resolve(*file);
       name = map.Text("name");
       recording.setting = ReadSetting(map);
+      ReadPreparation(map, "recording '" + name.value_or(recording.file.stem().string()) + "'", recording);
     }
     recording.name = name.value_or(recording.file.stem().string());
     return recording;
+  }
+
+  void ReadPreparation(const StrictMap& map, const std::string& where, BenchStudy::Recording& recording) {
+    recording.displacement = Channel(map, "displacement", " of " + where);
+    recording.force = Channel(map, "force", " of " + where);
+    recording.time = Channel(map, "time", " of " + where);
+    recording.preparation = ReadTimePreparation(map, where);
+    recording.start_s = map.Quantity("start", kTime, -1e9);
+    recording.end_s = map.Quantity("end", kTime, -1e9);
+    if (recording.start_s && recording.end_s && !(*recording.start_s < *recording.end_s))
+      map.Fault(map.Get("end"), kBenchWindowEmpty, {where});
   }
 
   std::filesystem::path Resolve(const std::string& path) const {

@@ -88,7 +88,9 @@ void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecordi
   double largest = 0;
   for (const ModelledRecording& modelled : recordings) {
     const double error = IntegrationError(damper, modelled, values);
-    results.json["integration"].push_back({{"recording", modelled.recording.name}, {"error", error}});
+    nlohmann::ordered_json entry = {{"recording", modelled.recording.name}, {"error", error}};
+    if (!modelled.recording.preparations.empty()) entry["preparation"] = modelled.recording.preparations;
+    results.json["integration"].push_back(std::move(entry));
     if (worst != nullptr && error <= largest) continue;
     worst = &modelled;
     largest = error;
@@ -141,6 +143,7 @@ void DamperBench::AddTo(Sha256& digest, Sha256& settings) const {
     digest.Add(recording.cutoff_Hz);
     digest.Add(recording.motion.extension);
     digest.Add(recording.force);
+    for (const char is_unknown : recording.is_unknown) digest.Add(static_cast<double>(is_unknown));
   }
   settings.Add(plan.model_error);
 }

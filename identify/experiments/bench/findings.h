@@ -12,6 +12,8 @@ inline const Finding kBenchRecordingsEmpty{"bench-recordings-empty", Severity::k
                                            "name one, or remove 'bench'"};
 inline const Finding kBenchRecordingTwice{"bench-recording-twice", Severity::kError,
                                           "two recordings have the name '{}'", "rename one with 'name'"};
+inline const Finding kBenchWindowEmpty{"bench-window-empty", Severity::kError, "'end' of {} must be later than 'start'",
+                                       "correct one of the two"};
 inline const Finding kBenchEngine{"bench-engine", Severity::kError,
                                   "the option is for vehicles on posts, and this study has a damper on its bench",
                                   "leave it out"};
@@ -26,6 +28,10 @@ inline const Finding kBenchDamperUnknown{"bench-damper-unknown", Severity::kErro
 
 // Recordings and results.
 
+inline const Finding kBenchWindowOutside{
+    "bench-window-outside", Severity::kError,
+    "'start' and 'end' leave fewer than {} samples of the recording, which goes from {} s to {} s",
+    "correct 'start' and 'end'"};
 inline const Finding kBenchFilterUnsettled{"bench-filter-unsettled", Severity::kError,
                                            "the recording ends before the rig's filter has settled", "record longer"};
 inline const Finding kBenchChamberCloses{

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "analysis/files/bridged_samples.h"
 #include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/clipping.h"
@@ -266,17 +267,11 @@ class HistoryLoader {
     });
   }
 
-  /// Samples of the window between two that were measured; at the ends of the record also the last one.
   static void LeaveOutGaps(const std::vector<BridgedGap>& gaps, const TimeRecording& recording,
                            const MeasuredHistory& history, MeasuredSignal& signal) {
-    const double rounding = 1e-6 * recording.step_s;
-    for (const BridgedGap& gap : gaps)
-      for (Index k = 0; k < history.count; ++k) {
-        const double t = history.TimeAt(k);
-        const bool is_behind = t > gap.from_s + rounding || gap.from_s <= recording.start_s + rounding;
-        const bool is_before = t < gap.to_s - rounding || gap.to_s >= recording.end_s - rounding;
-        if (is_behind && is_before) LeaveOut(k, signal);
-      }
+    const std::vector<char> is_bridged = BridgedSamples(recording, gaps);
+    for (Index k = 0; k < history.count && !is_bridged.empty(); ++k)
+      if (is_bridged[static_cast<std::size_t>(history.first + k)]) LeaveOut(k, signal);
   }
 
   static void LeaveOut(Index k, MeasuredSignal& signal) {

@@ -130,6 +130,57 @@ TEST_F(BenchDataTest, TheModelThatMadeARecordingMissesNothingOfIt) {
   }
 }
 
+/// `row_of`: of every row of a recording behind names and units, its number and what stands in it.
+template <typename RowOf>
+std::string EveryRow(const std::string& recording, const RowOf& row_of) {
+  std::istringstream lines(recording);
+  std::string text;
+  std::string line;
+  for (int row = -2; std::getline(lines, line); ++row) text += (row < 0 ? line : row_of(row, line)) + '\n';
+  return text;
+}
+
+// What is wrong before the window is cut off unseen, and the sign of one recording is not that of the others.
+TEST_F(BenchDataTest, ARecordingIsCutAndTakesItsOwnSign) {
+  folder_.Write("sine.csv", EveryRow(Recording(2, 0.01), [](int row, const std::string& line) {
+                  const std::size_t comma = line.rfind(',');
+                  const double force = row < 300 ? 1e4 : -std::stod(line.substr(comma + 1));
+                  return line.substr(0, comma + 1) + std::to_string(force);
+                }));
+  const std::optional<LoadedStudy> study = Load(Replace(
+      kStudy, "[sine.csv]", "\n    - {file: sine.csv, start: 0.7 s, end: 1.9 s, force: {channel: force, sign: -1}}"));
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  const BenchRecording& cut = Bench(*study).data.fitted.at(0);
+  EXPECT_NEAR(cut.start_s, 0.7, 1e-12);
+  EXPECT_EQ(cut.force.size(), 601);
+  EXPECT_THAT(cut.preparations, testing::ElementsAre("cut to 0.7 .. 1.9 s"));
+  const BenchDamper damper(study->vehicle, Bench(*study).data.damper);
+  const auto modelled = ModelledRecordings(damper, Bench(*study).data.fitted, study->vehicle.ParameterValues());
+  // Of the filter, which has not seen the time before, a thousandth of the force is left.
+  EXPECT_LT(BenchMisfits(modelled)[0].nmse_percent, 100 * 1e-6);
+  EXPECT_THAT(Faults(Replace(kBothFitted, "[sine.csv,", "[{file: sine.csv, start: 1.99 s},")),
+              Reports(kBenchWindowOutside, 0, {"16", "0", "1.998"}));
+}
+
+// Forces that are bridged do not count, whatever the interpolation makes of them.
+TEST_F(BenchDataTest, SamplesInAGapHaveNoWeight) {
+  folder_.Write("sine.csv", EveryRow(Recording(2, 0.01), [](int row, const std::string& line) {
+                  return row > 600 && row < 700 ? line.substr(0, line.rfind(',') + 1) : line;
+                }));
+  EXPECT_FALSE(Load());
+  diagnostics_ = {};
+  const std::optional<LoadedStudy> study =
+      Load(Replace(kStudy, "[sine.csv]", "\n    - {file: sine.csv, bridge: 250 ms}"));
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  const ResidualBlock block = BenchResiduals(study->vehicle, Bench(*study).data, 0.05);
+  const Evaluation evaluation = block.evaluate(study->vehicle.ParameterValues(), Deadline());
+  // As TheModelThatMadeARecordingMissesNothingOfIt, in shares of the model error.
+  EXPECT_LT(evaluation.residuals.cwiseAbs().maxCoeff(), 1e-2 / 0.05);
+  EXPECT_EQ(std::count(Bench(*study).data.fitted.at(0).is_unknown.begin(),
+                       Bench(*study).data.fitted.at(0).is_unknown.end(), 1),
+            99);
+}
+
 // From a start twice off. What is left of the force, see above, moves a rate by its share: a root of 1e-6.
 TEST_F(BenchDataTest, ATwinIsRecoveredThroughAFilterOfAnyOrder) {
   folder_.Write("damper.urdf", Replace(Replace(kVehicle, "800 N*s/m", "1.6 kN*s/m"), "2 kN*s/m", "1 kN*s/m"));

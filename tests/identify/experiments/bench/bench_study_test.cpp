@@ -58,6 +58,30 @@ TEST(BenchStudy, IsReadWhole) {
   EXPECT_EQ(study->search.seed, 3);
 }
 
+TEST(BenchStudy, ARecordingHasColumnsTimesAndAWindowOfItsOwn) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::string entry =
+      "\n    - {file: sweep.csv, displacement: s, force: {channel: F, sign: -1}, time: clock, start: 1 s, end: 3 s,"
+      " resample: 500 Hz, bridge: 20 ms, with: [force.csv]}";
+  const std::optional<Study> study = Read(Replace(kGood, "[sweep.csv]", entry), diagnostics, folder);
+  ASSERT_TRUE(study) << diagnostics.Format();
+  const BenchStudy::Recording& own = study->experiments.Find<DamperBench>()->plan.recordings.at(0);
+  EXPECT_EQ(own.displacement.value().name, "s");
+  EXPECT_EQ(own.force.value().factor, -1);
+  EXPECT_EQ(own.time.value().name, "clock");
+  EXPECT_EQ(own.start_s, 1);
+  EXPECT_EQ(own.end_s, 3);
+  EXPECT_EQ(own.preparation.rate_Hz, 500);
+  EXPECT_EQ(own.preparation.bridge_s, 0.02);
+  EXPECT_EQ(own.preparation.others.at(0).path.filename(), "force.csv");
+}
+
+TEST(BenchStudyFault, AWindowThatEndsBeforeItsStart) {
+  const std::string entry = "\n    - {file: sweep.csv, start: 3 s, end: 1 s}";
+  EXPECT_THAT(Faults(Replace(kGood, "[sweep.csv]", entry)), Reports(kBenchWindowEmpty, 9, {"recording 'sweep'"}));
+}
+
 TEST(BenchStudyFault, UnknownKeys) {
   EXPECT_THAT(Faults(Replace(kGood, "validation", "validate")), Reports(kKeyUnknown, 9, {"'validate'"}));
   EXPECT_THAT(Faults(Replace(kGood, "search:", "band: [1 Hz, 2 Hz]\nsearch:")), Reports(kKeyUnknown, 12, {"'band'"}));
