@@ -16,14 +16,6 @@
 namespace fourpost {
 namespace {
 
-/// '*' is any text.
-bool Matches(std::string_view name, std::string_view pattern) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() != '*')
-    return !name.empty() && name.front() == pattern.front() && Matches(name.substr(1), pattern.substr(1));
-  return Matches(name, pattern.substr(1)) || (!name.empty() && Matches(name.substr(1), pattern));
-}
-
 /// Of an angle over time, not a count of cycles.
 bool IsAngularVelocity(const Unit& unit, std::string_view text) {
   const std::string bare = WithoutBrackets(text);
@@ -126,7 +118,7 @@ class RigReader {
     for (const StatedUnit& stated : preparation_.units) {
       bool is_used = false;
       for (const std::string& name : all) {
-        if (!Matches(name, stated.channel)) continue;
+        if (!stated.Names(name)) continue;
         is_used = true;
         const auto is_it = [&](const RecordedChannel& channel) { return channel.names.front() == name; };
         auto place = std::find_if(stated_.begin(), stated_.end(), is_it);

@@ -10,15 +10,10 @@
 #include "analysis/files/time_recording.h"
 #include "analysis/frequency_response/rig_signals.h"
 #include "analysis/measured_response/posts_by_name.h"
+#include "analysis/measured_response/stated_unit.h"
 #include "analysis/text/diagnostics.h"
 
 namespace fourpost {
-
-/// The unit of channels of this name; '*' in it is any text.
-struct StatedUnit {
-  std::string channel;
-  std::string unit;
-};
 
 /// What is stated of a time history beside the names of its posts.
 struct RigPreparation {

@@ -25,6 +25,9 @@ struct InitCommand {
   /// Recordings and the vehicle of a study to draft; empty: the starter study is written.
   std::vector<std::filesystem::path> from;
   std::filesystem::path vehicle;
+  /// Of their channels, in place of what the files have; and what is wrong with them.
+  std::vector<StatedUnit> units;
+  Diagnostics faults;
   /// "front=macpherson"; empty: no vehicle is made of hard points.
   std::vector<std::string> suspension;
   /// Table of hard points; empty: plausible ones.

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/files/recorded_unit.h"
 #include "analysis/signals/frequency_grid.h"
 #include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
 #include "identify/command_line/findings.h"
+#include "identify/command_line/unit_option.h"
 #include "vehicles/requests/option_quantity.h"
 
 namespace fourpost {
@@ -31,15 +31,6 @@ void AddPost(const std::string& text, FrfCommand& command) {
   if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
     command.faults.Report(kPostChannelMalformed, Place::Option("--post"), {text});
   else command.request.posts.push_back({text.substr(0, sign), text.substr(sign + 1)});
-}
-
-/// "post_FL=mm"; names of channels may have a sign of their own.
-void AddUnit(const std::string& text, FrfCommand& command) {
-  const std::size_t sign = text.rfind('=');
-  const std::string unit = sign == std::string::npos ? "" : text.substr(sign + 1);
-  if (sign == std::string::npos || sign == 0 || !ParseRecordedUnit(unit))
-    command.faults.Report(kChannelUnitMalformed, Place::Option("--unit"), {text});
-  else command.request.preparation.units.push_back({text.substr(0, sign), unit});
 }
 
 /// "pots.csv", "pots.csv=3ms", "run=2.csv", "run=2.csv=3ms": what follows the last sign is a delay if it is a time, or
@@ -93,17 +84,7 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
           "named post_FL, FL and the like, or with words that mean a post, as 'Zyl VL' and 'actuator rear')")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  subcommand
-      .add_option_function<std::vector<std::string>>(
-          "--unit",
-          [&command](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) AddUnit(text, command);
-          },
-          "Unit of a channel in place of what the file has, CHANNEL=mm; * in the name is any text, as in 'post_*=mm'; "
-          "once "
-          "for each")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  AddUnitOption(subcommand, command.request.preparation.units, command.faults);
   subcommand
       .add_option_function<std::vector<std::string>>(
           "--with",

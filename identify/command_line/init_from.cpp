@@ -135,12 +135,12 @@ int RunInitFrom(const InitCommand& command) {
   if (fs::exists(command.folder, failure) && !fs::is_directory(command.folder, failure))
     RefuseToWrite(kStarterFolderIsFile, command.folder);
   if (fs::exists(study, failure)) RefuseToWrite(kDraftIsThere, study);
-  Diagnostics findings;
+  Diagnostics findings = command.faults;
   const std::vector<fs::path> files = RecordingsAmong(command.from, findings);
   const std::optional<Vehicle> vehicle = ReadVehicle(command.vehicle, findings);
   if (files.empty() && !findings.HasErrors()) findings.Report(kNothingToDraftFrom, {command.from.front().string()});
   if (!vehicle || findings.HasErrors()) throw FaultyInput(findings);
-  const StudyDraft draft = DraftStudy(files, *vehicle, study);
+  const StudyDraft draft = DraftStudy(files, *vehicle, study, command.units);
   const bool is_any_used =
       std::any_of(draft.files.begin(), draft.files.end(), [](const DraftedFile& file) { return file.is_used; });
   for (const DraftedFile& file : draft.files)

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "identify/command_line/options.h"
+#include "identify/command_line/unit_option.h"
 #include "vehicles/templates/suspension_kind.h"
 
 namespace fourpost {
@@ -23,6 +24,7 @@ CLI::Option* AddDraft(CLI::App& app, InitCommand& command) {
   CLI::Option* vehicle = app.add_option("--vehicle", command.vehicle, "Vehicle file (.urdf) of the study to draft");
   from->needs(vehicle);
   vehicle->needs(from);
+  AddUnitOption(app, command.units, command.faults)->needs(from);
   return from;
 }
 

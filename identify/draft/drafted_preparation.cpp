@@ -87,13 +87,17 @@ void RemoveDrifts(const DraftedPreparation& preparation, ChannelMatch& match) {
 
 std::string TimesLines(const DraftedPreparation& preparation, const std::vector<std::string>& others) {
   std::string lines;
-  if (const std::optional<TimeSummary>& time = preparation.summary.time;
-      time && std::find(kTimeColumn.names.begin(), kTimeColumn.names.end(), time->column) == kTimeColumn.names.end()) {
+  const std::optional<TimeSummary>& time = preparation.summary.time;
+  const auto is_usual = [](const std::string& name) {
+    return std::find(kTimeColumn.names.begin(), kTimeColumn.names.end(), name) != kTimeColumn.names.end();
+  };
+  if (time && (!preparation.time_unit.empty() || !is_usual(time->column))) {
     SourceChannel column(time->column);
-    // A column that rises evenly, without a unit: seconds are a guess.
-    if (time->is_guessed) column.unit = "s";
-    lines += "    time: " + SourceText({.channels = {column}}) +
-             (time->is_guessed ? "  # look at: it rises evenly; its unit is a guess\n" : "\n");
+    column.unit = preparation.time_unit;
+    lines += "    time: " + SourceText({.channels = {column}});
+    if (preparation.is_time_unit_guessed || time->is_guessed) lines += "  # look at: ";
+    if (time->is_guessed) lines += preparation.is_time_unit_guessed ? "it rises evenly; " : "it rises evenly";
+    lines += preparation.is_time_unit_guessed ? "its unit is a guess\n" : "\n";
   }
   if (preparation.times.rate_Hz)
     lines += "    resample: " + FormatNumber(*preparation.times.rate_Hz) + " Hz  # " + preparation.why_resampled + '\n';

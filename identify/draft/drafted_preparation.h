@@ -17,6 +17,9 @@ struct DraftedPreparation {
   std::string why_bridged;
   std::string why_beside;
   RecordingSummary summary;
+  /// Of the column of times where the study has to state it; empty: the file does. And whether that is a guess.
+  std::string time_unit;
+  bool is_time_unit_guessed = false;
 
   const ColumnSummary* Find(const std::string& channel) const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/files/frequency_response_file.h"
 #include "analysis/files/recorded_unit.h"
@@ -99,6 +100,18 @@ std::pair<std::string, std::string> MisspeltPost(const FileReading& reading) {
   return {};
 }
 
+/// Channels that are of no use as the file has no unit for them, and how to state one; empty: there are none.
+std::string WithoutUnit(const FileReading& reading) {
+  std::string names;
+  std::string example;
+  for (const auto& [name, unit] : reading.unread) {
+    if (!unit.empty()) continue;
+    names += (names.empty() ? "" : ", ") + name;
+    if (example.empty()) example = name;
+  }
+  return names.empty() ? "" : "; without a unit: " + names + ", which --unit states, as --unit " + example + "=mm";
+}
+
 /// Which posts have no channel, and how a channel is called so that it is found.
 std::string PostsMissing(const Vehicle& vehicle, const FileReading& reading) {
   std::string missing;
@@ -117,7 +130,7 @@ std::string PostsMissing(const Vehicle& vehicle, const FileReading& reading) {
   return "no channel found for post " + missing + ": call its displacement post_" + example + " or the like (" +
          "\"Actuator " + example + "\", \"Stempel " + example +
          "\"; F, R, FL, VL and so on for places); displacements here: " + (offered.empty() ? "none" : offered) +
-         (misspelt.empty() ? "" : "; '" + misspelt + "' is nearly '" + meant + "'");
+         (misspelt.empty() ? "" : "; '" + misspelt + "' is nearly '" + meant + "'") + WithoutUnit(reading);
 }
 
 /// Of each post of the vehicle: the mean of its channels.
@@ -138,7 +151,8 @@ std::vector<double> ShapeOf(const Vehicle& vehicle, const FileReading& reading, 
 void AddChannels(const RecordedTable& table, const std::string& time, FileReading& reading) {
   for (std::size_t column = 0; column < table.names().size(); ++column) {
     const std::string& name = table.names()[column];
-    const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+    const std::string stated = UnitStatedOf(reading.units, name);
+    const std::optional<Unit> unit = ParseRecordedUnit(stated.empty() ? table.unit(column) : stated);
     const bool is_there = std::any_of(reading.channels.begin(), reading.channels.end(),
                                       [&](const OfferedChannel& channel) { return channel.name == name; });
     if (name == time || is_there || table.HoldsText(column)) continue;
@@ -199,6 +213,29 @@ void ReadAtRestingPosts(const RecordedTable& table, const Vehicle& vehicle, File
   if (!reading.actuators.empty() || reading.is_release) reading.kind = FileReading::Kind::kHistory;
 }
 
+/// Of what is stated of any file what names a channel of this one, or of those beside it.
+std::vector<StatedUnit> UnitsIn(const RecordedTable& table, const FileReading& reading) {
+  std::vector<StatedUnit> units;
+  std::copy_if(reading.units.begin(), reading.units.end(), std::back_inserter(units), [&](const StatedUnit& stated) {
+    const auto names = [&](const std::string& name) { return stated.Names(name); };
+    return std::any_of(table.names().begin(), table.names().end(), names) ||
+           std::any_of(reading.channels.begin(), reading.channels.end(),
+                       [&](const OfferedChannel& channel) { return names(channel.name); });
+  });
+  return units;
+}
+
+/// As stated; where the file has none, seconds.
+void TakeUnitOfTimes(const RecordedTable& table, const std::string& time, FileReading& reading) {
+  DraftedPreparation& preparation = reading.preparation;
+  preparation.time_unit = UnitStatedOf(reading.units, time);
+  preparation.is_time_unit_guessed =
+      preparation.time_unit.empty() && !ParseRecordedUnit(table.unit(*table.FindColumn(time)));
+  if (!preparation.is_time_unit_guessed) return;
+  preparation.time_unit = "s";
+  reading.units.push_back({time, "s"});
+}
+
 void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
   const std::string time = TimesColumn(table);
   if (time.empty()) {
@@ -209,11 +246,12 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   const std::vector<OtherFile> others = reading.preparation.times.others;
   reading.preparation = PreparationOf(table);
   reading.preparation.times.others = others;
+  TakeUnitOfTimes(table, time, reading);
   for (const OtherFile& other : others) AddBeside(other, reading);
   if (vehicle.posts.empty()) {
-    const bool is_bench = !BenchChannel(reading, kLength).empty() && !BenchChannel(reading, kForce).empty();
+    const bool is_bench = !BenchChannel(reading, kLength).name.empty() && !BenchChannel(reading, kForce).name.empty();
     if (is_bench) reading.kind = FileReading::Kind::kBench;
-    else reading.reason = "no displacement and force of a damper";
+    else reading.reason = "no displacement and force of a damper" + WithoutUnit(reading);
     return;
   }
   MatchPosts(vehicle, reading);
@@ -226,7 +264,8 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   }
   reading.kind = FileReading::Kind::kHistory;
   for (ChannelMatch& post : reading.posts) RemoveDrifts(reading.preparation, post);
-  ResponseRequest request{.files = {reading.path}, .preparation = {.times = reading.preparation.times}};
+  ResponseRequest request{.files = {reading.path},
+                          .preparation = {.times = reading.preparation.times, .units = UnitsIn(table, reading)}};
   for (const ChannelMatch& post : reading.posts)
     for (const SourceChannel& channel : post.source.channels) request.posts.push_back({channel.name, channel.name});
   Diagnostics unheard;
@@ -242,10 +281,19 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
 
 }  // namespace
 
-std::string BenchChannel(const FileReading& reading, const Dimension& dimension) {
-  for (const OfferedChannel& channel : reading.channels)
-    if (channel.dimension == dimension) return channel.name;
-  return "";
+SourceChannel BenchChannel(const FileReading& reading, const Dimension& dimension) {
+  for (const OfferedChannel& channel : reading.channels) {
+    if (!(channel.dimension == dimension)) continue;
+    ChannelSource source{.channels = {SourceChannel(channel.name)}};
+    StateUnits(reading.units, source);
+    return source.channels.front();
+  }
+  return {};
+}
+
+void StateUnits(const std::vector<StatedUnit>& units, ChannelSource& source) {
+  for (SourceChannel& channel : source.channels)
+    if (const std::string unit = UnitStatedOf(units, channel.name); !unit.empty()) channel.unit = unit;
 }
 
 std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vector<double>& shape) {
@@ -266,12 +314,13 @@ std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vec
 }
 
 FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle,
-                         const std::vector<std::filesystem::path>& beside) {
-  FileReading reading{.path = file};
+                         const std::vector<StatedUnit>& units, const std::vector<std::filesystem::path>& beside) {
+  FileReading reading{.path = file, .units = units};
   for (const std::filesystem::path& other : beside) reading.preparation.times.others.push_back({.path = other});
   Diagnostics found;
   try {
     const std::optional<RecordedTable> table = ReadRecordedTable(file, found);
+    if (table) reading.columns = table->names();
     if (!table) reading.reason = FirstError(found);
     else if (IsSteppedSine(*table)) ReadSines(vehicle, reading);
     else if (table->FindColumn("quantity") && table->FindColumn("value")) ReadLoads(reading);
@@ -280,6 +329,8 @@ FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehic
     reading.kind = FileReading::Kind::kUnread;
     reading.reason = FirstError(faulty.diagnostics());
   }
+  for (std::vector<ChannelMatch>* matches : {&reading.posts, &reading.actuators})
+    for (ChannelMatch& match : *matches) StateUnits(units, match.source);
   return reading;
 }
 

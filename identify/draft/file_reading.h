@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/measured_response/stated_unit.h"
 #include "analysis/signals/frequency_response.h"
 #include "identify/draft/channel_match.h"
 #include "identify/draft/drafted_preparation.h"
@@ -31,10 +32,14 @@ struct FileReading {
   std::string reason = {};
   /// Time histories: the name of each post, and its channels.
   std::vector<ChannelMatch> posts = {};
+  /// Names of all of a table.
+  std::vector<std::string> columns = {};
   /// Without times and posts, in known units.
   std::vector<OfferedChannel> channels = {};
   /// Those of other columns of numbers: the name, and what stands in place of a unit.
   std::vector<std::pair<std::string, std::string>> unread = {};
+  /// What is stated in place of the units that the file has.
+  std::vector<StatedUnit> units = {};
   std::vector<DraftedMotion> motions = {};
   /// Of dwells: what of the record is left out.
   std::vector<std::string> missed = {};
@@ -52,10 +57,13 @@ struct FileReading {
 /// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.
 /// `beside`: files that were recorded at the same time, which it is read with.
 FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle,
-                         const std::vector<std::filesystem::path>& beside = {});
+                         const std::vector<StatedUnit>& units, const std::vector<std::filesystem::path>& beside = {});
 
-/// The first channel of a dimension; empty: there is none.
-std::string BenchChannel(const FileReading& reading, const Dimension& dimension);
+/// Of channels whose units are stated, the study states them too.
+void StateUnits(const std::vector<StatedUnit>& units, ChannelSource& source);
+
+/// The first channel of a dimension; without a name: there is none.
+SourceChannel BenchChannel(const FileReading& reading, const Dimension& dimension);
 
 /// "heave" and the like of a shape that the vehicle's posts make so, up to its sign.
 std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vector<double>& shape);

@@ -1,17 +1,18 @@
 #include "identify/draft/study_draft.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <utility>
 
+#include "analysis/measured_response/findings.h"
 #include "analysis/signals/motionless.h"
+#include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
+#include "identify/draft/bench_draft.h"
 #include "identify/draft/file_reading.h"
 #include "identify/draft/motion_evidence.h"
 #include "identify/experiments/subject.h"
@@ -32,7 +33,7 @@ bool IsNamedSo(const ChannelMatch& match) {
 /// A post's channel that a study finds by its name.
 bool IsPostNamedSo(const ChannelMatch& post) {
   const std::vector<SourceChannel>& channels = post.source.channels;
-  return channels.size() == 1 && !channels.front().has_trend &&
+  return channels.size() == 1 && !channels.front().has_trend && channels.front().unit.empty() &&
          (channels.front().name == post.name || channels.front().name == "post_" + post.name);
 }
 
@@ -86,9 +87,10 @@ std::string Listed(const std::vector<std::string>& names) {
 
 class Drafter {
  public:
-  Drafter(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study)
-      : vehicle_(vehicle), study_(study) {
-    for (const fs::path& file : files) readings_.push_back(ReadForDraft(file, vehicle));
+  Drafter(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study,
+          const std::vector<StatedUnit>& units)
+      : vehicle_(vehicle), study_(study), units_(units) {
+    for (const fs::path& file : files) readings_.push_back(ReadForDraft(file, vehicle, units));
     JoinFiles();
   }
 
@@ -106,6 +108,7 @@ class Drafter {
     AddLoads();
     AddBench();
     StudyDraft draft{.text = text_, .files = drafted_, .findings = {}};
+    CheckUnits(draft.findings);
     Check(draft);
     draft.text = Head(draft) + draft.text;
     return draft;
@@ -126,7 +129,7 @@ class Drafter {
       lone.reason = "recorded beside " + readings_[partners.front()].path.filename().string();
     }
     for (const auto& [place, others] : beside) {
-      readings_[place] = ReadForDraft(readings_[place].path, vehicle_, others);
+      readings_[place] = ReadForDraft(readings_[place].path, vehicle_, units_, others);
       readings_[place].preparation.why_beside = "recorded over the same time; look at: whether on one clock";
     }
   }
@@ -176,6 +179,7 @@ class Drafter {
       drafted.matches = MatchChannels(sought, reading.channels, HasSides(vehicle_), correlation);
       for (ChannelMatch& match : drafted.matches) {
         RemoveDrifts(reading.preparation, match);
+        StateUnits(units_, match.source);
         match.is_motionless = reading.kind == Kind::kHistory && IsMotionless(reading.preparation.summary, match.source);
       }
       for (const SoughtChannel& one : sought)
@@ -302,43 +306,26 @@ class Drafter {
 
   /// Of a vehicle without posts, a damper between clamps.
   void AddBench() {
-    std::string list;
-    std::string shared;
-    BenchColumns columns = {"displacement", "force"};
+    BenchDraft bench;
     for (std::size_t i = 0; i < readings_.size(); ++i) {
       if (readings_[i].kind != Kind::kBench) continue;
       drafted_[i].use = "bench";
       drafted_[i].channels_left.clear();
       drafted_[i].channels.clear();
-      const BenchColumns own = {BenchChannel(readings_[i], kLength), BenchChannel(readings_[i], kForce)};
-      if (list.empty()) {
-        shared = LinesOf(own, columns, "  ");
-        columns = own;
-      }
-      const std::string lines = Indented(TimesOf(readings_[i]), "  ") + LinesOf(own, columns, "      ");
-      const std::string path = Relative(readings_[i].path);
-      list += lines.empty() ? "    - " + path + "\n" : "    - file: " + path + "\n" + lines;
+      bench.Add(readings_[i], Relative(readings_[i].path), TimesOf(readings_[i]));
     }
-    if (!list.empty()) text_ += "\nbench:\n" + shared + "  recordings:\n" + list;
+    text_ += bench.Text();
   }
 
-  /// Of displacement and force.
-  using BenchColumns = std::array<std::string, 2>;
-
-  /// For columns that are called otherwise.
-  static std::string LinesOf(const BenchColumns& own, const BenchColumns& others, const std::string& indent) {
-    constexpr std::array<const char*, 2> kKeys = {"displacement", "force"};
-    std::string lines;
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (own[i] != others[i]) lines += indent + kKeys[i] + ": " + YamlText(own[i]) + "\n";
-    return lines;
-  }
-
-  static std::string Indented(const std::string& lines, const std::string& by) {
-    std::string text;
-    std::istringstream in(lines);
-    for (std::string line; std::getline(in, line);) text += by + line + '\n';
-    return text;
+  /// Each names a channel of some file.
+  void CheckUnits(Diagnostics& findings) const {
+    for (const StatedUnit& stated : units_)
+      if (std::none_of(readings_.begin(), readings_.end(), [&](const FileReading& reading) {
+            return std::any_of(reading.columns.begin(), reading.columns.end(),
+                               [&](const std::string& name) { return stated.Names(name); });
+          }))
+        findings.Report(kResponseUnitOfNone, Place::Option("--unit"),
+                        {stated.channel, DidYouMeanOrAll(stated.channel, readings_.front().columns)});
   }
 
   void Check(StudyDraft& draft) const {
@@ -388,6 +375,7 @@ class Drafter {
 
   const Vehicle& vehicle_;
   fs::path study_;
+  const std::vector<StatedUnit>& units_;
   std::vector<FileReading> readings_;
   std::vector<DraftedFile> drafted_;
   /// The file whose channels are those of the study.
@@ -398,8 +386,9 @@ class Drafter {
 
 }  // namespace
 
-StudyDraft DraftStudy(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study) {
-  return Drafter(files, vehicle, study).Draft();
+StudyDraft DraftStudy(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study,
+                      const std::vector<StatedUnit>& units) {
+  return Drafter(files, vehicle, study, units).Draft();
 }
 
 }  // namespace fourpost

@@ -218,6 +218,26 @@ class Draft(ProgramTest):
         self.assertIn("bench:\n  displacement: Stroke\n  force: Rod load\n  recordings:\n    - ../bench.csv\n", text)
         self.run_program("response", "study/study.yaml")
 
+    def test_takes_files_of_a_bench_as_they_are(self):
+        """No units, a hole, and a second file whose columns are called otherwise."""
+        damper = SOURCE / "studies/damper"
+        rows = (damper / "sine_5Hz_3mm.csv").read_text().splitlines()
+        self.write("bare.csv", "\n".join(["t,dist,forc"] + rows[2:100] + rows[108:]) + "\n")
+        self.write("other.csv", "\n".join([rows[0].replace("force", "F rod")] + rows[1:]) + "\n")
+        files = ("--from", "bare.csv", "other.csv", "--vehicle", damper / "model2.urdf")
+        self.assertIn("without a unit: dist, forc, which --unit states, as --unit dist=mm",
+                      self.run_program("init", "none", "--from", "bare.csv", "--vehicle", damper / "model2.urdf",
+                                       code=3).stderr)
+        units = [part for unit in ("t=s", "dist=m", "forc=N") for part in ("--unit", unit)]
+        self.assertIn("response-unit-of-none", self.run_program("init", "none", *files, "--unit", "forse=N").stderr)
+        self.run_program("init", "study", *files, *units)
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertIn("bench:\n  displacement: {channel: dist, unit: m}\n  force: {channel: forc, unit: N}\n"
+                      "  recordings:\n    - file: ../bare.csv\n", text)
+        self.assertIn("      time: {channel: t, unit: s}\n      bridge: 19 ms  # 1 gap, the longest 18 ms\n"
+                      "    - file: ../other.csv\n      displacement: displacement\n      force: F rod\n", text)
+        self.run_program("response", "study/study.yaml")
+
 
 class ShortStudies(ProgramTest):
     def setUp(self):
