@@ -135,6 +135,11 @@ inline const Finding kChannelUnitDoubtful{"channel-unit-doubtful", Severity::kWa
 inline const Finding kChannelInverted{"channel-inverted", Severity::kWarning,
                                       "'{}' of '{}' moves against the model, as if its sign were wrong",
                                       "its error would be {} % with '{}' in the study", Weight::kGrave};
+inline const Finding kActuatorInverted{
+    "actuator-inverted", Severity::kWarning,
+    "all channels of '{}' move against the model, as if the tension of {} had the wrong sign",
+    "tension pulls the ends of an actuator together: change the 'sign' of its channel in 'actuators' of the study",
+    Weight::kGrave};
 inline const Finding kReleaseSignsDisagree{
     "release-signs-disagree", Severity::kWarning,
     "'{}' of '{}' moves against the model, and {} with it: one of the two has the wrong sign, and the release can be "

@@ -43,14 +43,16 @@ HistoryRemark PointRemark(const PointDelay& point, MisfitsOfOne fitted) {
 class HistoryLinter {
  public:
   HistoryLinter(MisfitsOfOne fitted, const RemediedErrors& fitted_errors, MisfitsOfOne start,
-                const RemediedErrors& start_errors, double sample_s)
-      : fitted_(fitted),
+                const RemediedErrors& start_errors, double sample_s, std::vector<std::string> driving)
+      : driving_(std::move(driving)),
+        fitted_(fitted),
         start_(start),
         start_errors_(start_errors),
         sample_s_(sample_s),
         remarks_(RemarksOn({fitted.begin(), fitted.end()}, sample_s, fitted_errors)) {}
 
   std::vector<HistoryRemark> Remarks(const std::vector<PointDelay>& points) {
+    if (!driving_.empty() && IsMirrored()) return {MirroredActuator()};
     AddSwapsAtStart();
     // Delays against a model that does not fit are not reported.
     if (remarks_.empty() || Has(remarks_, Cause::kDelay)) ChooseDelays(points);
@@ -58,6 +60,21 @@ class HistoryLinter {
   }
 
  private:
+  /// The other sign of all channels explains most of each, at the values of the file: a fit goes astray.
+  bool IsMirrored() const {
+    constexpr double kMost_percent = 50;
+    return std::all_of(start_.begin(), start_.end(), [&](const HistoryMisfit& misfit) {
+      return start_errors_.Percent(misfit.recording, misfit.name, -1, 0) < kMost_percent;
+    });
+  }
+
+  HistoryRemark MirroredActuator() const {
+    std::string names;
+    for (const std::string& actuator : driving_) names += (names.empty() ? "actuator '" : " and '") + actuator + "'";
+    const std::string& recording = start_.front().recording;
+    return {Cause::kSign, recording, "", {&kActuatorInverted, {recording, names}}};
+  }
+
   /// A fit may hide a swap: what the vehicle file's own values show of one, and the fitted ones do not.
   void AddSwapsAtStart() {
     for (std::size_t i = 0; i < start_.size(); ++i)
@@ -103,12 +120,25 @@ class HistoryLinter {
                : std::vector<HistoryRemark>();
   }
 
+  /// Actuators that alone move the vehicle; empty where posts move it too.
+  std::vector<std::string> driving_;
   MisfitsOfOne fitted_;
   MisfitsOfOne start_;
   const RemediedErrors& start_errors_;
   double sample_s_;
   std::vector<HistoryRemark> remarks_;
 };
+
+/// Actuators that alone move the vehicle.
+std::vector<std::string> DrivingActuators(const Vehicle& vehicle, const MeasuredHistory& history) {
+  std::vector<std::string> driving;
+  if (history.release || history.HasMovingPost()) return driving;
+  for (std::size_t i = 0; i < history.tensions.size(); ++i) {
+    const auto [least, most] = std::minmax_element(history.tensions[i].begin(), history.tensions[i].end());
+    if (least != most && *least < *most) driving.push_back(vehicle.actuators[i].name);
+  }
+  return driving;
+}
 
 int LineOfChannel(const StudyHistory& history, const std::string& channel) {
   const auto source = std::find_if(history.channels.begin(), history.channels.end(),
@@ -153,7 +183,8 @@ void LintHistories(const std::string& study_file, const std::vector<StudyHistory
   for (const MeasuredHistory& history : histories) {
     const std::size_t count = history.signals.size();
     HistoryLinter linter(MisfitsOfOne(misfits).subspan(first, count), fitted_errors,
-                         MisfitsOfOne(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
+                         MisfitsOfOne(start).subspan(first, count), start_errors, 1 / history.rate_Hz,
+                         DrivingActuators(vehicle, history));
     const auto entry = std::find_if(stated.begin(), stated.end(),
                                     [&](const StudyHistory& other) { return other.name == history.name; });
     for (const HistoryRemark& remark : linter.Remarks(PointDelays(vehicle, history)))
