@@ -14,7 +14,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from virtual_rig import AXLES, BENCHED, CLICKS, MODES, PRESENT, SOURCE, SPEEDS, Car, record_bench, run
+from virtual_rig import AXLES, BENCHED, MODES, PRESENT, SOURCE, SPEEDS, Car, record_bench, run
 
 HERE = Path(__file__).resolve().parent
 FOLLOWERS = ("bump", "rebound", "bump_beyond", "rebound_beyond")
@@ -23,18 +23,20 @@ UNIT = "N*s/m"
 BENCH_TO_CAR = 0.03
 
 
-def identify_dampers(program, folder):
-    """Step 1: the law of each benched click."""
-    for name in ("bench.yaml", "bench_damper.urdf"):
-        shutil.copy(HERE / name, folder)
-    record_bench(folder)
+def identify_dampers(program, folder, clicks):
+    """Step 1: the law of each of these clicks of bench.yaml."""
+    shutil.copy(HERE / "bench_damper.urdf", folder)
+    lines = (HERE / "bench.yaml").read_text().splitlines(keepends=True)
+    is_left_out = lambda line: "file:" in line and int(re.search(r"control: (\d+)", line).group(1)) not in clicks
+    (folder / "bench.yaml").write_text("".join(line for line in lines if not is_left_out(line)))
+    record_bench(folder, clicks)
     run(program, "fit", folder / "bench.yaml", "-o", folder / "bench", "--no-suggest", "--threads", "1")
     laws = laws_of_bench(folder)
     with (folder / "force_speed.csv").open("w") as file:
         out = csv.writer(file)
         speeds = [side * v / 100 for side in (-1, 1) for v in (2, 5, 10, 15, 20, 30, 50)]
         out.writerow(["click", *(f"{v} m/s" for v in sorted(speeds))])
-        out.writerows([click, *(f"{force(laws[click], v):.1f}" for v in sorted(speeds))] for click in CLICKS)
+        out.writerows([click, *(f"{force(laws[click], v):.1f}" for v in sorted(speeds))] for click in laws)
 
 
 def force(law, v):
@@ -46,11 +48,12 @@ def force(law, v):
 def laws_of_bench(folder):
     """{click: {"bump": N*s/m, ...}}, straight lines between the benched clicks, as `choose` takes them."""
     fitted = {one["name"]: one["value"] for one in json.loads((folder / "bench/result.json").read_text())["parameters"]}
-    at = lambda name, click: fitted[name if click == BENCHED[0] else f"{name}_at_{click}"]
+    benched = [int(click) for click in re.findall(r"csv, control: (\d+)", (folder / "bench.yaml").read_text())]
+    at = lambda name, click: fitted[name if click == benched[0] else f"{name}_at_{click}"]
     laws = {}
-    for click in CLICKS:
-        upper = next(one for one in BENCHED[1:] if click <= one)
-        lower = BENCHED[BENCHED.index(upper) - 1]
+    for click in range(benched[0], benched[-1] + 1):
+        upper = next(one for one in benched[1:] if click <= one)
+        lower = benched[benched.index(upper) - 1]
         share = (click - lower) / (upper - lower)
         laws[click] = {name: (1 - share) * at(name, lower) + share * at(name, upper) for name in FOLLOWERS}
     return laws
@@ -91,7 +94,9 @@ def identify_car(program, folder, car):
 def choose(program, folder, fit, choice, draws, step):
     """Steps 3 and 6: the best clicks, and those to test next."""
     text = re.sub(r"draws: \d+", f"draws: {draws}", (HERE / "settings.yaml").read_text())
-    (folder / "settings.yaml").write_text(text.replace("to: 20}", f"to: 20, step: {step}}}"))
+    laws = laws_of_bench(folder)
+    positions = f"from: {min(laws)}, to: {max(laws)}, step: {step}"
+    (folder / "settings.yaml").write_text(text.replace("from: 1, to: 20", positions))
     run(program, "choose", folder / fit, "--settings", folder / "settings.yaml", "--no-checks", "--threads", "1", "-o",
         folder / choice)
     return json.loads((folder / choice / "result.json").read_text())["best"]
@@ -175,12 +180,13 @@ def main():
     arguments.add_argument("--cars", default="1", help="seeds of the virtual cars, 3 or 1..20")
     arguments.add_argument("--tests", type=int, default=3, help="clicks to test on the rig, at the most")
     arguments.add_argument("--draws", type=int, default=60, help="possible cars in which settings are rated")
+    arguments.add_argument("--benched", default=",".join(map(str, BENCHED)), help="clicks on the bench")
     arguments.add_argument("--step", type=int, default=1, help="3 rates each third click, 49 settings in place of 400")
     options = arguments.parse_args()
     first, _, last = options.cars.partition("..")
     options.folder.mkdir(parents=True, exist_ok=True)
     if not (options.folder / "bench/result.json").exists():
-        identify_dampers(options.program, options.folder)
+        identify_dampers(options.program, options.folder, [int(click) for click in options.benched.split(",")])
     out = None
     for seed in range(int(first), int(last or first) + 1):
         row = loop(options.program, options.folder, seed, options)

@@ -45,9 +45,9 @@ def run(*arguments):
     return outcome.stdout
 
 
-def record_bench(folder):
-    """A sweep of each benched click, click1.csv and so on."""
-    for click in BENCHED:
+def record_bench(folder, clicks):
+    """A sweep of each of these clicks, click1.csv and so on."""
+    for click in clicks:
         with (folder / f"click{click}.csv").open("w") as file:
             file.write("time,displacement,force\ns,m,N\n")
             file.writelines(f"{t:.3f},{x:.9g},{force:.7g}\n" for t, x, force in DAMPER.record(click))
