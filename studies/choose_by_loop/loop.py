@@ -145,9 +145,13 @@ def true_costs(program, folder, car):
         "knobs:\n" + "".join(f"  {axle}: {knob(axle, now)}\n" for axle, now in zip(AXLES, PRESENT)) + roads)
     run(program, "choose", car.file, "--settings", folder / "true_settings.yaml", "--no-checks", "--threads", "1", "-o",
         folder / "true_choice")
-    with (folder / "true_choice/settings.csv").open() as file:
-        return {(int(row["front"]), int(row["rear"])): 1 + float(row["change"]) / 100
-                for row in csv.DictReader(file) if row["front"].isdigit()}
+    return {clicks: 1 + float(row["change"]) / 100 for clicks, row in rated(folder, "true_choice").items()}
+
+
+def rated(folder, choice):
+    """{(front, rear): row} of settings.csv."""
+    with (folder / choice / "settings.csv").open() as file:
+        return {(int(row["front"]), int(row["rear"])): row for row in csv.DictReader(file) if row["front"].isdigit()}
 
 
 def loop(program, folder, seed, options):
@@ -163,7 +167,9 @@ def loop(program, folder, seed, options):
         last = choose(program, folder, "car_2", "choice_2", options.draws, options.step)
     costs = true_costs(program, folder, car)
     best = min(costs, key=costs.get)
-    row = {"car": seed, "rig_runs": rig_runs, "tested": " ".join(f"{f}/{r}" for f, r in tests), "true_best": "%d/%d" % best}
+    best_of_rated = min(rated(folder, "choice_1"), key=costs.get)
+    row = {"car": seed, "rig_runs": rig_runs, "tested": " ".join(f"{f}/{r}" for f, r in tests), "true_best": "%d/%d" % best,
+           "best_of_rated": "%d/%d" % best_of_rated}
     for name, choice in (("first", first), ("last", last)):
         clicks = tuple(int(choice["setting"][axle]) for axle in AXLES)
         row |= {name: "%d/%d" % clicks, f"{name}_best_probability": f"{choice['best_probability']:.3g}",
