@@ -149,4 +149,5 @@ def main():
             (folder / f"{bounds}{setting}.yaml").write_text(STUDY.format(bounds, setting, 4 * len(rows)))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""The thesis's loop: identify dampers and car, choose their clicks, test a few on the rig, identify and choose again.
+
+    loop.py PROGRAM FOLDER                           # one car; open FOLDER/choice_2/choose.html
+    loop.py PROGRAM FOLDER --cars 1..20 > results/cars.csv
+
+Steps and files of FOLDER are explained in README.md; virtual_rig.py makes what a bench and a rig would record.
+"""
+import argparse
+import csv
+import json
+import re
+import shutil
+import sys
+from pathlib import Path
+
+from virtual_rig import AXLES, BENCHED, MODES, PRESENT, SOURCE, SPEEDS, Car, record_bench, run
+
+HERE = Path(__file__).resolve().parent
+FOLLOWERS = ("bump", "rebound", "bump_beyond", "rebound_beyond")
+UNIT = "N*s/m"
+# What a damper in the car may differ by from the one on the bench, as a share.
+BENCH_TO_CAR = 0.03
+
+
+def identify_dampers(program, folder, clicks):
+    """Step 1: the law of each of these clicks of bench.yaml."""
+    shutil.copy(HERE / "bench_damper.urdf", folder)
+    lines = (HERE / "bench.yaml").read_text().splitlines(keepends=True)
+    is_left_out = lambda line: "file:" in line and int(re.search(r"control: (\d+)", line).group(1)) not in clicks
+    (folder / "bench.yaml").write_text("".join(line for line in lines if not is_left_out(line)))
+    record_bench(folder, clicks)
+    run(program, "fit", folder / "bench.yaml", "-o", folder / "bench", "--no-suggest", "--threads", "1")
+    laws = laws_of_bench(folder)
+    with (folder / "force_speed.csv").open("w") as file:
+        out = csv.writer(file)
+        speeds = [side * v / 100 for side in (-1, 1) for v in (2, 5, 10, 15, 20, 30, 50)]
+        out.writerow(["click", *(f"{v} m/s" for v in sorted(speeds))])
+        out.writerows([click, *(f"{force(laws[click], v):.1f}" for v in sorted(speeds))] for click in laws)
+
+
+def force(law, v):
+    side = "bump" if v < 0 else "rebound"
+    size, knee = abs(v), 0.15
+    return (1 if v > 0 else -1) * (law[side] * min(size, knee) + law[side + "_beyond"] * max(0, size - knee))
+
+
+def laws_of_bench(folder):
+    """{click: {"bump": N*s/m, ...}}, straight lines between the benched clicks, as `choose` takes them."""
+    fitted = {one["name"]: one["value"] for one in json.loads((folder / "bench/result.json").read_text())["parameters"]}
+    benched = [int(click) for click in re.findall(r"csv, control: (\d+)", (folder / "bench.yaml").read_text())]
+    at = lambda name, click: fitted[name if click == benched[0] else f"{name}_at_{click}"]
+    laws = {}
+    for click in range(benched[0], benched[-1] + 1):
+        upper = next(one for one in benched[1:] if click <= one)
+        lower = benched[benched.index(upper) - 1]
+        share = (click - lower) / (upper - lower)
+        laws[click] = {name: (1 - share) * at(name, lower) + share * at(name, upper) for name in FOLLOWERS}
+    return laws
+
+
+def parameter(name, value, is_free=True):
+    known = (f'lower="{0.5 * value:.6g} {UNIT}" upper="{2 * value:.6g} {UNIT}" precision="1 {UNIT}" '
+             f'prior_sd="{BENCH_TO_CAR * value:.4g} {UNIT}" ')
+    return f'  <fp:parameter name="{name}" value="{value:.6g} {UNIT}" {known if is_free else ""}source="the bench"/>\n'
+
+
+def car_file(laws, more=""):
+    """Model 1 with the benched law at the present clicks, and friction of each axle."""
+    text = (SOURCE / "urdf/landrover110_model1.urdf").read_text().replace("../meshes/", f"{SOURCE}/meshes/")
+    text = re.sub(r'  <fp:parameter name="c_[^>]*/>\n', "", text)
+    parameters = more
+    for axle, click in zip(AXLES, PRESENT):
+        law = " ".join(f'{name}="2*${name}_{axle}"' for name in FOLLOWERS)
+        text = text.replace(f'<bilinear bump="2*$c_{axle}_bump" rebound="2*$c_{axle}_rebound"/>',
+                            f'<digressive {law} bump_knee="0.15 m/s" rebound_knee="0.15 m/s"/>'
+                            f'<friction force="2*$friction_{axle}" speed="5 mm/s"/>')
+        parameters += "".join(parameter(f"{name}_{axle}", laws[click][name]) for name in FOLLOWERS)
+        parameters += (f'  <fp:parameter name="friction_{axle}" value="70 N" lower="10 N" upper="300 N" precision="1 N" '
+                       'source="range: seals of the damper, links and seats"/>\n')
+    return text.replace('  <fp:frame name="front_centre"', parameters + '  <fp:frame name="front_centre"', 1)
+
+
+def identify_car(program, folder, car):
+    """Step 2: the car at its present clicks, two runs of stepped sines."""
+    car.record_sines(PRESENT)
+    car.record_loads()
+    (folder / "car.urdf").write_text(car_file(laws_of_bench(folder)))
+    shutil.copy(HERE / "car.yaml", folder)
+    run(program, "fit", folder / "car.yaml", "-o", folder / "car_1", "--no-suggest", "--threads", "1")
+    return len(MODES)
+
+
+def choose(program, folder, fit, choice, draws, step):
+    """Steps 3 and 6: the best clicks, and those to test next."""
+    text = re.sub(r"draws: \d+", f"draws: {draws}", (HERE / "settings.yaml").read_text())
+    laws = laws_of_bench(folder)
+    positions = f"from: {min(laws)}, to: {max(laws)}, step: {step}"
+    (folder / "settings.yaml").write_text(text.replace("from: 1, to: 20", positions))
+    run(program, "choose", folder / fit, "--settings", folder / "settings.yaml", "--no-checks", "--threads", "1", "-o",
+        folder / choice)
+    return json.loads((folder / choice / "result.json").read_text())["best"]
+
+
+def clicks_to_test(folder, most):
+    """Step 4: of test_next.csv; those that the present recordings do not have."""
+    with (folder / "choice_1/test_next.csv").open() as file:
+        rows = [row for row in csv.DictReader(file) if row["front"].isdigit()]
+    clicks = dict.fromkeys((int(row["front"]), int(row["rear"])) for row in rows)
+    return [pair for pair in clicks if pair != PRESENT][:most]
+
+
+def test_on_rig(car, tests):
+    """Step 5: the present clicks and those to test, each once on a rough road."""
+    for i, clicks in enumerate([PRESENT, *tests]):
+        car.drive(clicks, f"drive_{i}", 100 * car.seed + i)
+    return 1 + len(tests)
+
+
+def identify_car_again(program, folder, tests):
+    """Step 6: the car by all recordings. Dampers at tested clicks are changed as the bench says from what step 2 found."""
+    laws = laws_of_bench(folder)
+    fitted = {one["name"]: one["value"] for one in json.loads((folder / "car_1/result.json").read_text())["parameters"]}
+    held = "".join(parameter(f"{name}_{axle}_at_{i}", fitted[f"{name}_{axle}"] * laws[click][name] / laws[now][name], False)
+                   for i, clicks in enumerate(tests, 1) for axle, click, now in zip(AXLES, clicks, PRESENT)
+                   for name in FOLLOWERS)
+    (folder / "car_again.urdf").write_text(car_file(laws, held))
+    text = (folder / "car.yaml").read_text().replace("car.urdf", "car_again.urdf")
+    text = text.replace("evaluations: 60, starts: 2", "evaluations: 5, starts: 1")
+    text += "control: {" + ", ".join(f"{name}_{axle}: per setting" for axle in AXLES for name in FOLLOWERS) + "}\nhistories:\n"
+    for i in range(len(tests) + 1):
+        text += (f"  - {{file: drive_{i}.csv, control: {i}, posts: {{front: post_front, rear: post_rear}}, "
+                 "start: 1 s}\n")
+    (folder / "car_again.yaml").write_text(text)
+    run(program, "fit", folder / "car_again.yaml", "-o", folder / "car_2", "--no-suggest", "--threads", "1")
+
+
+def true_costs(program, folder, car):
+    """What 400 runs on the rig would tell: every pair of clicks in the true car, without doubt."""
+    knob = lambda axle, now: ("{sets: {" + ", ".join(f"f{i}_{axle}: f{i}" for i in range(len(SPEEDS))) +
+                              f"}}, table: true_clicks.csv, now: {now}, change: absolute}}")
+    text = (HERE / "settings.yaml").read_text()
+    roads = text[text.index("roads:"):]
+    (folder / "true_settings.yaml").write_text(
+        "knobs:\n" + "".join(f"  {axle}: {knob(axle, now)}\n" for axle, now in zip(AXLES, PRESENT)) + roads)
+    run(program, "choose", car.file, "--settings", folder / "true_settings.yaml", "--no-checks", "--threads", "1", "-o",
+        folder / "true_choice")
+    return {clicks: 1 + float(row["change"]) / 100 for clicks, row in rated(folder, "true_choice").items()}
+
+
+def rated(folder, choice):
+    """{(front, rear): row} of settings.csv."""
+    with (folder / choice / "settings.csv").open() as file:
+        return {(int(row["front"]), int(row["rear"])): row for row in csv.DictReader(file) if row["front"].isdigit()}
+
+
+def loop(program, folder, seed, options):
+    """One car; the folder holds the benched dampers."""
+    car = Car(program, folder, seed)
+    rig_runs = identify_car(program, folder, car)
+    first = choose(program, folder, "car_1", "choice_1", options.draws, options.step)
+    tests = clicks_to_test(folder, options.tests)
+    last = first
+    if tests:
+        rig_runs += test_on_rig(car, tests)
+        identify_car_again(program, folder, tests)
+        last = choose(program, folder, "car_2", "choice_2", options.draws, options.step)
+    costs = true_costs(program, folder, car)
+    best = min(costs, key=costs.get)
+    best_of_rated = min(rated(folder, "choice_1"), key=costs.get)
+    row = {"car": seed, "rig_runs": rig_runs, "tested": " ".join(f"{f}/{r}" for f, r in tests), "true_best": "%d/%d" % best,
+           "best_of_rated": "%d/%d" % best_of_rated}
+    for name, choice in (("first", first), ("last", last)):
+        clicks = tuple(int(choice["setting"][axle]) for axle in AXLES)
+        row |= {name: "%d/%d" % clicks, f"{name}_best_probability": f"{choice['best_probability']:.3g}",
+                f"{name}_stated_regret": f"{100 * choice['regret']:.3g}",
+                f"{name}_true_regret": f"{100 * (costs[clicks] / costs[best] - 1):.3g}"}
+    row["present_regret"] = f"{100 * (costs[PRESENT] / costs[best] - 1):.3g}"
+    return row
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    arguments.add_argument("program", type=Path)
+    arguments.add_argument("folder", type=Path)
+    arguments.add_argument("--cars", default="1", help="seeds of the virtual cars, 3 or 1..20")
+    arguments.add_argument("--tests", type=int, default=3, help="clicks to test on the rig, at the most")
+    arguments.add_argument("--draws", type=int, default=60, help="possible cars in which settings are rated")
+    arguments.add_argument("--benched", default=",".join(map(str, BENCHED)), help="clicks on the bench")
+    arguments.add_argument("--step", type=int, default=1, help="3 rates each third click, 49 settings in place of 400")
+    options = arguments.parse_args()
+    first, _, last = options.cars.partition("..")
+    options.folder.mkdir(parents=True, exist_ok=True)
+    if not (options.folder / "bench/result.json").exists():
+        identify_dampers(options.program, options.folder, [int(click) for click in options.benched.split(",")])
+    out = None
+    for seed in range(int(first), int(last or first) + 1):
+        row = loop(options.program, options.folder, seed, options)
+        if out is None:
+            out = csv.DictWriter(sys.stdout, list(row))
+            out.writeheader()
+        out.writerow(row)
+        sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main()
