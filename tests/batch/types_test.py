@@ -1,4 +1,5 @@
 """The package's types, by mypy."""
+import os
 import subprocess
 import sys
 
@@ -10,6 +11,7 @@ def test_package_is_strictly_typed(tmp_path):
                                        "ignore_missing_imports = True\nfollow_imports = skip\n"
                                        "follow_imports_for_stubs = True\n"
                                        "[mypy-fourpost_batch.dask_plant]\ndisallow_subclassing_any = False\n")
-    outcome = subprocess.run([sys.executable, "-m", "mypy", "--no-incremental", SOURCE / "python/fourpost_batch"],
+    cache = f"--cache-dir={os.environ['FOURPOST_BUILD']}/mypy/batch"
+    outcome = subprocess.run([sys.executable, "-m", "mypy", cache, SOURCE / "python/fourpost_batch"],
                              cwd=tmp_path, capture_output=True, text=True)
     assert outcome.returncode == 0, outcome.stdout

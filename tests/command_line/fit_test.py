@@ -5,7 +5,7 @@ import math
 import shutil
 import unittest
 
-from program import SOURCE, ProgramTest
+from program import SOURCE, ProgramTest, drop_swept_sine
 
 VEHICLE = "urdf/landrover110_linkage.urdf"
 MODEL1 = "studies/landrover110/model1.yaml"
@@ -25,10 +25,19 @@ class FitTest(ProgramTest):
     def result(self):
         return json.loads(self.read("result/result.json"))
 
+    def write_joint(self, text):
+        """Eight of its sweep's sixty seconds, two of its parameters: what is fitted and what is predicted stay the same."""
+        for old, new in (("evaluations: 100", "evaluations: 5"), ("starts: 4", "starts: 1"),
+                         ("    file: bounce_sweep.csv\n", "    file: bounce_sweep.csv\n    start: 20 s\n    end: 28 s\n")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.write(JOINT, text + "\nfree: [c_front_rebound, c_rear_rebound]\n")
+
 
 class Validation(FitTest):
     def test_predicts_stepped_sines_that_are_kept_from_the_fit(self):
         study = self.folder / MODEL1
+        drop_swept_sine(study)
         study.write_text(study.read_text().replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n"))
         kept = self.run_program("fit", "--no-suggest", MODEL1, "-o", "result", "--seed", "3")
         result = self.result()
@@ -57,7 +66,7 @@ class Validation(FitTest):
         study = self.folder / JOINT
         text = study.read_text().replace("    posts: heave\n", "    posts: heave\n    use: validation\n")
         text = text.replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n")
-        study.write_text(text.replace("evaluations: 100", "evaluations: 5").replace("starts: 4", "starts: 1"))
+        self.write_joint(text)
         answer = self.run_program("fit", "--no-suggest", JOINT, "-o", "result")
         result = self.result()
         self.assertEqual(result["recordings"], [])
@@ -73,9 +82,9 @@ class Validation(FitTest):
         study = self.folder / JOINT
         text = study.read_text().replace("    posts: pitch\n", "    posts: pitch\n    use: validation\n")
         history = text[text.index("  - name: bounce_sweep"):text.index("# Load cells at rest")]
-        kept = history.replace("name: bounce_sweep\n", "name: kept\n    use: validation\n    end: 20 s\n")
+        kept = history.replace("name: bounce_sweep\n", "name: kept\n    use: validation\n")
         text = text.replace(history, history.rstrip() + "\n" + kept)
-        study.write_text(text.replace("evaluations: 100", "evaluations: 5").replace("starts: 4", "starts: 1"))
+        self.write_joint(text)
         text = self.run_program("fit", "--no-suggest", JOINT, "-o", "result").stdout
         self.assertEqual(text.count("Not fitted:"), 1)
         explained = [line for line in text.split("\n") if line.startswith("Without physics: ")]
@@ -90,6 +99,7 @@ class Validation(FitTest):
 
     def test_leaves_out_what_it_cannot_predict(self):
         study = self.folder / MODEL1
+        drop_swept_sine(study)
         study.write_text(study.read_text().replace("    file: pitch_frf.csv\n", "    file: none.csv\n    use: validation\n"))
         answer = self.run_program("fit", "--no-suggest", MODEL1, "-o", "result")
         self.assertIn("[validation-left-out]", answer.stderr)
@@ -153,12 +163,18 @@ class Fit(FitTest):
         self.assertEqual({name: values[name] for name in fitted}, fitted)
 
     def test_replaces_an_earlier_result(self):
+        drop_swept_sine(self.folder / MODEL2)
         self.run_program("fit", "--no-suggest", MODEL2, "-o", "result")
         # That of the study, where the earlier one was asked for.
         self.assertEqual(self.result()["seed"], 1)
 
 
 class FitOnce(FitTest):
+    def setUp(self):
+        super().setUp()
+        for model in (MODEL1, MODEL2):
+            drop_swept_sine(self.folder / model)
+
     def test_names_parameters_far_from_their_priors(self):
         self.replace_in(VEHICLE, 'value="1725 kg"', 'value="1725 kg" prior_sd="10 kg"')
         fit = self.run_program("fit", "--no-suggest", MODEL2, "-o", "result", "--threads", "2")
@@ -177,6 +193,8 @@ class FitOnce(FitTest):
         self.run_program("check", "result/vehicle.urdf")
 
     def test_is_the_same_for_one_and_two_threads(self):
+        shutil.copy(SOURCE / MODEL2, self.folder / MODEL2)
+        self.replace_in(MODEL2, "    file: bounce_sweep.csv\n", "    file: bounce_sweep.csv\n    end: 10 s\n")
         one = self.run_program("fit", MODEL2, "-o", "one", "--threads", "1", "--json").stdout
         two = self.run_program("fit", MODEL2, "-o", "two", "--threads", "2", "--json").stdout
         self.assertEqual(one, two)

@@ -4,7 +4,7 @@ import signal
 import time
 import unittest
 
-from program import Archive, ProgramTest
+from program import Archive, ProgramTest, drop_swept_sine
 
 VEHICLE = "urdf/landrover110_linkage.urdf"
 STUDY = "studies/landrover110/model2.yaml"
@@ -107,6 +107,8 @@ class Response(UsageTest):
 
     def test_comes_from_the_engine_asked_for(self):
         self.replace_in(STUDY, "[0.5 Hz, 12 Hz]", "[4 Hz, 4.15 Hz]")
+        drop_swept_sine(self.folder / STUDY)
+        self.replace_in(STUDY, "  - name: pitch\n    file: pitch_frf.csv\n    posts: pitch\n", "")
         linearised = self.respond()["recordings"]
         answers = {}
         for engine in ("full", "time"):
@@ -115,12 +117,19 @@ class Response(UsageTest):
             gain, expected = (answer[0]["channels"][0]["gain"][0] for answer in (answers[engine], linearised))
             self.assertAlmostEqual(gain / expected, 1, delta=0.006, msg=engine)  # 0.05 dB
         self.assertNotEqual(answers["full"], answers["time"])
-        former = self.run_program("response", STUDY, "--json", "--engine", "march")
+
+    def test_comes_from_an_engine_by_its_former_name(self):
+        self.run_program("init", "car")
+        self.replace_in("car/study.yaml", "band: [0.5 Hz, 20 Hz]", "band: [3 Hz, 5 Hz]")
+        former, time = (self.run_program("response", "car/study.yaml", "--json", "--engine", engine)
+                        for engine in ("march", "time"))
         self.assert_finding(former.stderr, "engine-former")
-        self.assertEqual(json.loads(former.stdout)["recordings"], answers["time"])
+        self.assertEqual(former.stdout, time.stdout)
+        self.assertNotEqual(former.stdout, self.run_program("response", "car/study.yaml", "--json").stdout)
 
     def test_names_what_keeps_time_integration_from_settling(self):
         """With dampers of a three-hundredth, pitch swings for minutes."""
+        drop_swept_sine(self.folder / STUDY)
         self.replace_in(STUDY, "[0.5 Hz, 12 Hz]", "[4 Hz, 4.15 Hz]")
         for axle in ("front", "rear"):
             name = f'name="c_{axle}'
@@ -134,6 +143,7 @@ class Response(UsageTest):
 
     def test_warns_once_of_a_sum_with_a_member_of_opposite_sign(self):
         """Turning all members round would not correct it."""
+        drop_swept_sine(self.folder / STUDY)
         self.replace_in(STUDY, "{sum: [F_tyre_FL, F_tyre_FR]}", "{sum: [F_tyre_FL, {channel: F_tyre_FR, sign: -1}]}")
         warnings = self.run_program("response", STUDY).stderr
         self.assertTrue(warnings.startswith(f"{STUDY}:25: warning: 'F_tyre_FL' and 'F_tyre_FR' of 'F_tyre_front' move "
@@ -144,6 +154,7 @@ class Response(UsageTest):
 class Signals(UsageTest):
     def setUp(self):
         super().setUp()
+        drop_swept_sine(self.folder / STUDY)
         self.replace_in(STUDY, "  evaluations: 100\n", "  evaluations: 100000000\n  generations: 1000000\n")
 
     def start_search(self, *words, result):

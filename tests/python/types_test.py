@@ -22,7 +22,9 @@ def test_package_and_callers_are_strictly_typed(tmp_path):
         "fp.fit('study.yaml', threads='two')\n")
     # The links of the build point to the same files.
     environment = {**os.environ, "MYPYPATH": str(SOURCE / "python")}
-    outcome = subprocess.run([sys.executable, "-m", "mypy", "--no-incremental", PACKAGE, "caller.py"], cwd=tmp_path,
+    # What mypy knows of numpy stays in the build, which saves nine tenths of its time.
+    cache = f"--cache-dir={os.environ['FOURPOST_BUILD']}/mypy/python"
+    outcome = subprocess.run([sys.executable, "-m", "mypy", cache, PACKAGE, "caller.py"], cwd=tmp_path,
                              env=environment, capture_output=True, text=True)
     # A text is no number of threads; nothing else is wrong.
     lines = outcome.stdout.splitlines()

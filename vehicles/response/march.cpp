@@ -17,7 +17,6 @@
 #include "vehicles/response/findings.h"
 #include "vehicles/response/response_recorder.h"
 #include "vehicles/ride/vehicle_summary.h"
-#include "vehicles/simulation/multibody_system.h"
 
 namespace fourpost {
 namespace {
@@ -97,13 +96,13 @@ class SteadyState {
  public:
   /// `imposed`: the posts' own motion in each sensor's unit.
   SteadyState(const std::vector<Sensor>& sensors, const Eigen::ArrayXd& imposed, double frequency_Hz,
-              const MarchOptions& options)
+              int samples_per_cycle, const MarchOptions& options)
       : options_(options),
         sensors_(sensors),
         imposed_(imposed),
         cycles_(std::max(1, static_cast<int>(std::ceil(options.window_s * frequency_Hz)))),
-        step_(1 / (frequency_Hz * options.samples_per_cycle)),
-        window_(cycles_ * options.samples_per_cycle, static_cast<Eigen::Index>(sensors.size())) {}
+        step_(1 / (frequency_Hz * samples_per_cycle)),
+        window_(cycles_ * samples_per_cycle, static_cast<Eigen::Index>(sensors.size())) {}
 
   double step() const { return step_; }
   double window_duration() const { return step_ * static_cast<double>(window_.rows()); }
@@ -129,7 +128,10 @@ class SteadyState {
     if (filled_ == window_.rows()) CloseWindow();
   }
 
-  bool Done() const { return steady_ || (filled_ == 0 && time_ >= options_.longest_s); }
+  bool Done() const { return steady_ || (filled_ == 0 && windows_ > 2 && time_ >= options_.longest_s); }
+
+  /// The motion of the first window is no longer that of the ramp.
+  void TakeForSettled() { windows_ = 1; }
 
  private:
   void CloseWindow() {
@@ -173,6 +175,99 @@ class SteadyState {
   SensorHarmonics harmonics_ = SensorHarmonics::Zero(window_.cols(), kHarmonics + 1);
   Eigen::ArrayXXd change_;
 };
+
+/// Posts that move at one frequency.
+struct Sine {
+  const std::vector<Sensor>& sensors;
+  const MarchOptions& options;
+  double frequency_Hz;
+  Eigen::ArrayXd imposed;
+  PostMotion posts;
+  /// At each reading; throws where the march is to end.
+  std::function<void()> ask;
+
+  SteadyState Begin(int samples_per_cycle) const {
+    return {sensors, imposed, frequency_Hz, samples_per_cycle, options};
+  }
+};
+
+/// `march` takes each frequency to its steady state.
+MarchedResponse MarchEach(const RigView& rig, const Excitation& excitation, const MarchOptions& options,
+                          const std::function<void(std::size_t done)>& progress,
+                          const std::function<SteadyState(const Sine&)>& march) {
+  options.Validate();
+  excitation.Validate(rig.post_count);
+  const Imposed imposed(rig);
+  ResponseRecorder recorder(rig.sensors, excitation);
+  MarchedResponse out;
+  // Some milliseconds of work.
+  constexpr int kSamplesPerQuestion = 64;
+  int samples = 0;
+  const auto ask = [&] {
+    options.deadline.Check();
+    if (options.stop && ++samples % kSamplesPerQuestion == 0 && options.stop()) throw MarchStopped();
+  };
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    const double frequency = excitation.frequency_Hz[i];
+    const double amplitude = excitation.amplitude_m[i];
+    const double omega = 2 * std::numbers::pi * frequency;
+    Sine sine{rig.sensors, options, frequency, LargestShare(excitation) * amplitude * imposed.At(omega), {}, ask};
+    const Ramp ramp{sine.Begin(options.samples_per_cycle).window_duration()};
+    sine.posts = SteppedSine(excitation.shape, amplitude, omega, ramp);
+    const SteadyState run = march(sine);
+    if (!run.steady()) {
+      out.unsteady.push_back(run.Worst());
+      out.unsteady.back().frequency_Hz = frequency;
+      out.unsteady.back().amplitude_m = amplitude;
+    }
+    out.simulated_s += run.time();
+    recorder.Record(i, run.harmonics());
+    if (progress) progress(i + 1);
+  }
+  out.response = recorder.Take();
+  return out;
+}
+
+/// Of so many samples, which each cost as much as a step of the integrator, one is enough while the motion settles.
+int SamplesPerSettlingSample(int samples_per_cycle, double frequency_Hz) {
+  constexpr int kFewest = 16;
+  constexpr double kStep_s = 0.004;
+  int stride = 1;
+  while (samples_per_cycle % (2 * stride) == 0 && samples_per_cycle / (2 * stride) >= kFewest &&
+         2 * stride <= kStep_s * frequency_Hz * samples_per_cycle)
+    stride *= 2;
+  return stride;
+}
+
+/// Settles with few samples, and with all of them from the settled state on.
+SteadyState MarchMultibody(Multibody& multibody, const Sine& sine, const MarchOptions& options) {
+  double start = 0;
+  Eigen::VectorXd state = multibody.RestState();
+  // `skipped` samples are of the cycle before.
+  const auto march = [&](SteadyState& run, int skipped) {
+    const Eigen::VectorXd from = state;
+    multibody.SetPostMotion(sine.posts);
+    multibody.Integrate(
+        from, start, run.step(), options.accuracy,
+        [&](double t, const Eigen::VectorXd& reached, const Eigen::VectorXd& readings) {
+          sine.ask();
+          if (skipped-- > 0) return;
+          run.Add(t, readings);
+          if (run.Done()) state = reached;
+        },
+        [&] { return run.Done(); });
+    start = run.time();
+    multibody.SetPostMotion(nullptr);
+  };
+  const int stride = SamplesPerSettlingSample(options.samples_per_cycle, sine.frequency_Hz);
+  SteadyState settling = sine.Begin(options.samples_per_cycle / stride);
+  march(settling, 0);
+  if (stride == 1 || !settling.steady()) return settling;
+  SteadyState settled = sine.Begin(options.samples_per_cycle);
+  settled.TakeForSettled();
+  march(settled, stride);
+  return settled;
+}
 
 /// "roll", or what each post does: "posts 1, 0.5".
 std::string ShapeText(const Vehicle& vehicle, const std::vector<double>& shape) {
@@ -231,46 +326,24 @@ void MarchOptions::Validate() const {
 
 MarchedResponse March(TimeSystem& system, const Excitation& excitation, const MarchOptions& options,
                       const std::function<void(std::size_t done)>& progress) {
-  options.Validate();
-  excitation.Validate(system.rig().post_count);
-  const std::vector<Sensor>& sensors = system.rig().sensors;
-  const Imposed imposed(system.rig());
-  ResponseRecorder recorder(sensors, excitation);
-  MarchedResponse out;
-  // Some milliseconds of work.
-  constexpr int kSamplesPerQuestion = 64;
-  int samples = 0;
-  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
-    const double frequency = excitation.frequency_Hz[i];
-    const double amplitude = excitation.amplitude_m[i];
-    const double omega = 2 * std::numbers::pi * frequency;
-    SteadyState run(sensors, LargestShare(excitation) * amplitude * imposed.At(omega), frequency, options);
+  return MarchEach(system.rig(), excitation, options, progress, [&](const Sine& sine) {
+    SteadyState run = sine.Begin(options.samples_per_cycle);
     system.Run(
-        SteppedSine(excitation.shape, amplitude, omega, Ramp{run.window_duration()}), 0, run.step(),
+        sine.posts, 0, run.step(),
         [&](double t, const Eigen::VectorXd& readings) {
-          options.deadline.Check();
-          if (options.stop && ++samples % kSamplesPerQuestion == 0 && options.stop()) throw MarchStopped();
+          sine.ask();
           run.Add(t, readings);
         },
         [&] { return run.Done(); });
-    if (!run.steady()) {
-      out.unsteady.push_back(run.Worst());
-      out.unsteady.back().frequency_Hz = frequency;
-      out.unsteady.back().amplitude_m = amplitude;
-    }
-    out.simulated_s += run.time();
-    recorder.Record(i, run.harmonics());
-    if (progress) progress(i + 1);
-  }
-  out.response = recorder.Take();
-  return out;
+    return run;
+  });
 }
 
 MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options,
                       const std::function<void(std::size_t done)>& progress) {
-  options.Validate();
-  MultibodySystem system(multibody, options.accuracy);
-  return March(system, excitation, options, progress);
+  const RigView rig = RigViewOf(multibody.vehicle());
+  return MarchEach(rig, excitation, options, progress,
+                   [&](const Sine& sine) { return MarchMultibody(multibody, sine, options); });
 }
 
 std::string UnsteadyMessage(const Vehicle& vehicle, const Excitation& excitation, const UnsteadyMotion& motion,

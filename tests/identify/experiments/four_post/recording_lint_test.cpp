@@ -76,8 +76,30 @@ TEST_P(EveryStudy, TellsOfATurnedAccelerometer) {
   EXPECT_THAT(Lint(study), Reports(kStationSign, LineOf(study, "a_cross_member"), {"'a_cross_member: ", "sign: -1}"}));
 }
 
+/// Every fourth frequency: a sign that few data show, all show, and the audit takes a fourth of its time.
+void TakeEveryFourth(LoadedStudy& study) {
+  const auto thin = [](auto& values) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); i += 4) values[kept++] = values[i];
+    values.resize(kept);
+  };
+  for (MeasuredRun& run : Sines(study).runs) {
+    thin(run.excitation.frequency_Hz);
+    thin(run.excitation.amplitude_m);
+    for (MeasuredChannel& channel : run.channels) {
+      thin(channel.response);
+      thin(channel.radial_sd);
+      thin(channel.tangential_sd);
+      thin(channel.mean);
+      thin(channel.mean_sd);
+      thin(channel.second_harmonic);
+    }
+  }
+}
+
 TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
-  const LoadedStudy shipped = ShippedStudy(GetParam());
+  LoadedStudy shipped = ShippedStudy(GetParam());
+  TakeEveryFourth(shipped);
   for (const MeasuredChannel& channel : Sines(shipped).runs.front().channels) {
     LoadedStudy study = shipped;
     Scale(study, channel.name, -1);
