@@ -89,6 +89,11 @@ std::string Section(const std::string& id, const std::string& title, const std::
   return "<section id=\"" + Escaped(id) + "\">\n<h2>" + Escaped(title) + "</h2>\n" + html + "</section>\n";
 }
 
+std::string Folded(const std::string& title, const std::string& html) {
+  return html.empty() ? ""
+                      : "<details class=\"folded\"><summary>" + Escaped(title) + "</summary>" + html + "</details>\n";
+}
+
 std::string Code(const std::string& name) { return Element("code", "", Escaped(name)); }
 
 std::string Drawn(const std::string& id, const std::string& without) {

@@ -35,6 +35,9 @@ std::string Picture(const std::string& svg, const std::string& text);
 /// <section> with a heading.
 std::string Section(const std::string& id, const std::string& title, const std::string& html);
 
+/// What is seen on demand; empty where there is nothing. `title`: text.
+std::string Folded(const std::string& title, const std::string& html);
+
 /// A name in the type of code.
 std::string Code(const std::string& name);
 

@@ -10,11 +10,10 @@ void AddRemarks(ReportRemarks part, ReportRemarks& whole) {
     if ((whole.*text).empty()) whole.*text = std::move(part.*text);
   };
   whole.measures_force |= part.measures_force;
-  fill(&ReportRemarks::worst);
+  whole.is_wiring_cleared |= part.is_wiring_cleared;
   fill(&ReportRemarks::missing_force);
   fill(&ReportRemarks::why_no_deviations);
   fill(&ReportRemarks::where_open);
-  fill(&ReportRemarks::where_missed);
   fill(&ReportRemarks::where_not_weighed);
   std::move(part.further.begin(), part.further.end(), std::back_inserter(whole.further));
   std::move(part.modelled.begin(), part.modelled.end(), std::back_inserter(whole.modelled));

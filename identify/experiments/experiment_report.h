@@ -28,16 +28,15 @@ struct ReportSection {
 struct ReportRemarks {
   /// Whether a force is fitted, which gives masses, rates and damping their scale.
   bool measures_force = false;
-  /// Where the model is farthest off, a sentence.
-  std::string worst;
+  /// Whether an audit had something to compare and suspects no channel.
+  bool is_wiring_cleared = false;
   /// What the force looks like that the model lacks in the measured motion, a sentence.
   std::string missing_force;
   /// Why no parameter has a standard deviation, text.
   std::string why_no_deviations;
-  /// What to measure next: where parameters are open and no force is fitted, where the model misses the data, where no
-  /// misfit is known, and in any case.
+  /// What to measure next: where parameters are open and no force is fitted, where no misfit is known, and in
+  /// any case.
   std::string where_open;
-  std::string where_missed;
   std::string where_not_weighed;
   std::vector<std::string> further;
   /// The recordings of result.json with the engine that modelled each.

@@ -81,21 +81,37 @@ std::vector<TriedForce> BestOfEach(WeighedForces& forces, const std::vector<Forc
   return best;
 }
 
-/// Nine tenths of the fall lie between them.
-std::pair<double, double> BandOf(const ForceRecord& record, const std::vector<double>& falls) {
+using BySample = std::vector<std::pair<double, double>>;
+
+/// Of each frequency, over all recordings, in rising order.
+BySample ByFrequency(const ForceRecord& record, const std::vector<double>& of_samples) {
+  constexpr double kSame = 1e-3;
+  BySample all;
+  for (std::size_t i = 0; i < of_samples.size(); ++i) all.emplace_back(record.samples[i].frequency_Hz, of_samples[i]);
+  std::sort(all.begin(), all.end());
+  BySample joined;
+  for (const auto& [frequency, number] : all)
+    if (!joined.empty() && frequency < (1 + kSame) * joined.back().first) joined.back().second += number;
+    else joined.emplace_back(frequency, number);
+  return joined;
+}
+
+double LargestOf(const BySample& by_frequency) {
+  double largest = 0;
+  for (const auto& [frequency, number] : by_frequency) largest = std::max(largest, number);
+  return largest;
+}
+
+/// Nine tenths of the sum lie between them; what is negative does not count.
+std::pair<double, double> BandOf(const BySample& by_frequency) {
   constexpr double kTail = 0.05;
-  std::vector<std::pair<double, double>> by_frequency;
   double whole = 0;
-  for (std::size_t i = 0; i < falls.size(); ++i) {
-    by_frequency.emplace_back(record.samples[i].frequency_Hz, std::max(0.0, falls[i]));
-    whole += by_frequency.back().second;
-  }
-  std::sort(by_frequency.begin(), by_frequency.end());
+  for (const auto& [frequency, number] : by_frequency) whole += std::max(0.0, number);
   double below = 0;
   std::pair<double, double> band(by_frequency.front().first, by_frequency.back().first);
   bool is_inside = false;
-  for (const auto& [frequency, fall] : by_frequency) {
-    below += fall;
+  for (const auto& [frequency, number] : by_frequency) {
+    below += std::max(0.0, number);
     if (!is_inside && below > kTail * whole) {
       band.first = frequency;
       is_inside = true;
@@ -122,25 +138,70 @@ double MostOf(const ForceRecord& record, const ForceExplanation& one) {
   return most;
 }
 
+/// A mechanism that may be named.
+struct Named {
+  TriedForce tried;
+  double noise = 1;
+  double score = 0;
+};
+
+/// Nothing where chance, or one frequency alone, explains as much.
+std::optional<Named> NamedOf(const ForceRecord& record, WeighedForces& forces, const TriedForce& tried) {
+  const double left = forces.Squares() - tried.fall;
+  const double noise = std::max(1.0, left / forces.degrees()) * forces.Correlated(tried);
+  constexpr double kLeastScore = kSuspicious * kSuspicious;
+  if (!(tried.fall > kLeastScore * noise)) return std::nullopt;
+  const double most = LargestOf(ByFrequency(record, forces.FallBySample(tried)));
+  if (!(tried.fall - most > kLeastScore * noise)) return std::nullopt;
+  return Named{tried, noise, tried.fall / noise};
+}
+
 /// The next explanation; nothing where what is left is within noise, or no mechanism explains it.
 std::optional<ForceExplanation> Next(const ForceRecord& record, WeighedForces& forces,
                                      const std::vector<ForceMechanism>& all,
                                      const std::vector<ForceExplanation>& before, double excess) {
-  const std::vector<TriedForce> best = BestOfEach(forces, all, before);
-  if (best.empty() || !(best.front().fall > 0)) return std::nullopt;
-  const TriedForce& first = best.front();
-  const double left = forces.Squares() - first.fall;
-  const double noise = std::max(1.0, left / forces.degrees()) * forces.Correlated(first);
-  ForceExplanation found{.mechanism = first.mechanism, .amount = first.amount, .score = first.fall / noise};
+  std::vector<Named> best;
+  for (const TriedForce& tried : BestOfEach(forces, all, before))
+    if (tried.fall / std::max(tried.fall, excess) >= kLeastShare)
+      if (const std::optional<Named> named = NamedOf(record, forces, tried)) best.push_back(*named);
+  if (best.empty()) return std::nullopt;
+  const auto& [first, noise, score] = best.front();
+  ForceExplanation found{.mechanism = first.mechanism, .amount = first.amount, .score = score};
   found.share = first.fall / std::max(first.fall, excess);
-  if (!(found.score > kSuspicious * kSuspicious) || found.share < kLeastShare) return std::nullopt;
   for (std::size_t i = 1; i < best.size(); ++i)
-    if (found.score - best[i].fall / noise < std::max(kApart, kShareApart * found.score))
-      found.rivals.push_back(best[i].mechanism);
+    if (score - best[i].tried.fall / noise < std::max(kApart, kShareApart * score))
+      found.rivals.push_back(best[i].tried.mechanism);
   found.sd = std::sqrt(noise / first.information);
-  std::tie(found.lower_Hz, found.upper_Hz) = BandOf(record, forces.FallBySample(first));
+  std::tie(found.lower_Hz, found.upper_Hz) = BandOf(ByFrequency(record, forces.FallBySample(first)));
   found.most_N = MostOf(record, found);
   return found;
+}
+
+/// Where it is beyond noise.
+std::optional<UnexplainedForce> LeftOf(const ForceRecord& record, const WeighedForces& forces) {
+  constexpr double kBeyondNoise = 1.5;
+  if (!(std::sqrt(std::max(0.0, forces.Squares() / forces.degrees())) > kBeyondNoise)) return std::nullopt;
+  const BySample squares = ByFrequency(record, forces.SquaresBySample());
+  const auto most = std::max_element(squares.begin(), squares.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  UnexplainedForce left{.frequency_Hz = most->first};
+  std::tie(left.lower_Hz, left.upper_Hz) = BandOf(squares);
+  return left;
+}
+
+/// Amounts beside each other, without those that are then no longer there.
+void Reconsider(const ForceRecord& record, const WeighedForces& forces, std::vector<ForceExplanation>& found) {
+  constexpr double kThere = 3;
+  const auto [amounts, covariance] = forces.Amounts();
+  const double noise = std::max(1.0, forces.Squares() / forces.degrees());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto j = static_cast<Eigen::Index>(i);
+    found[i].amount = amounts[j];
+    found[i].sd = std::sqrt(noise * covariance(j, j));
+  }
+  std::erase_if(found, [&](const ForceExplanation& one) {
+    return !one.mechanism.Allows(one.amount, record) || !(one.amount > kThere * one.sd);
+  });
 }
 
 }  // namespace
@@ -160,17 +221,8 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);
   }
-  if (explanations.found.size() < 2) return explanations;
-  const auto [amounts, covariance] = forces.Amounts();
-  const double noise = std::max(1.0, forces.Squares() / forces.degrees());
-  for (std::size_t i = 0; i < explanations.found.size(); ++i) {
-    const auto j = static_cast<Eigen::Index>(i);
-    explanations.found[i].amount = amounts[j];
-    explanations.found[i].sd = std::sqrt(noise * covariance(j, j));
-  }
-  // Beside the others one may no longer be there.
-  std::erase_if(explanations.found,
-                [&](const ForceExplanation& one) { return !one.mechanism.Allows(one.amount, record); });
+  explanations.left = LeftOf(record, forces);
+  if (explanations.found.size() > 1) Reconsider(record, forces, explanations.found);
   return explanations;
 }
 

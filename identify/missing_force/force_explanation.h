@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "identify/missing_force/force_mechanism.h"
@@ -27,8 +28,18 @@ struct ForceExplanation {
   std::vector<ForceMechanism> rivals;
 };
 
+/// A missing force without a name.
+struct UnexplainedForce {
+  /// At which most of its squares lie, of all recordings together, and between which nine tenths of them do.
+  double frequency_Hz = 0;
+  double lower_Hz = 0;
+  double upper_Hz = 0;
+};
+
 struct ForceExplanations {
   std::vector<ForceExplanation> found;
+  /// What all of them leave, where that is beyond noise.
+  std::optional<UnexplainedForce> left = {};
   /// Root mean square of the missing force over its noise, with free parameters where they explain most: about 1 where
   /// nothing is missing. NaN without a sample.
   double misfit = 0;
@@ -38,8 +49,10 @@ struct ForceExplanations {
 /// mechanism per amount, d_i that of one standard deviation of a free parameter or of what a good rig may be off by and
 /// t_i a standard normal variable, the mechanism is chosen that lowers the weighted squares most; it is taken out and
 /// the search goes on, at most three times. Nothing is named that is below 4.5 standard deviations, noise widened where
-/// what is left over is correlated or exceeds it, or that explains less than a tenth. Amounts are in the
-/// scale of the fitted masses, rates and dampings, whose common factor motions do not show.
+/// what is left over is correlated or exceeds it, also without the frequency that speaks for it most, for one wrong
+/// reading is explained best by a part that resonates there; or that explains less than a tenth; or whose amount is
+/// less than three of its standard deviations beside the others. Amounts are in the scale of the fitted masses, rates
+/// and dampings, whose common factor motions do not show.
 ForceExplanations ExplainForce(const ForceRecord& record);
 
 }  // namespace fourpost

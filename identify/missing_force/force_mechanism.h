@@ -28,8 +28,8 @@ struct ForceMechanism {
 
   /// How many numbers beside the amount are chosen to explain most.
   int ShapeNumbers() const { return kind == Kind::kPartOnMounts ? 3 : 0; }
-  /// Whether a car can lack this much of it: what it has too much of is not missing, and no mass or part is heavier
-  /// than the link that carries it.
+  /// Whether a car can lack this much of it: what it has too much of is not missing; no mass or part is heavier than
+  /// the link that carries it, or lighter than a thousandth of it, by which any reading may be off.
   bool Allows(double amount, const ForceRecord& record) const;
 };
 

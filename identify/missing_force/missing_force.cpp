@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "analysis/charts/bode_panel.h"
@@ -77,6 +78,11 @@ Json ExplanationJson(const ForceExplanation& one, const ForceRecord& record) {
           {"rivals", RivalsJson(one, record)}};
 }
 
+Json LeftJson(const std::optional<UnexplainedForce>& left) {
+  if (!left) return nullptr;
+  return {{"frequency_Hz", left->frequency_Hz}, {"band_Hz", {left->lower_Hz, left->upper_Hz}}};
+}
+
 std::string UnitOf(const ForceCurve& curve) { return curve.is_turn ? "N*m" : "N"; }
 
 SvgStyle WithDisplacement() { return {.label = "in line with displacement", .color = "#0072B2"}; }
@@ -126,7 +132,8 @@ Json MissingForceJson(const ForceRecord& record, const ForceExplanations& explan
   return {{"recordings", recordings},
           {"lines_are_unique", AreLinesUnique(record)},
           {"misfit", NumberOrNull(explanations.misfit)},
-          {"explanations", list}};
+          {"explanations", list},
+          {"unexplained", LeftJson(explanations.left)}};
 }
 
 std::string MissingForceCsv(const ForceRecord& record, const std::vector<ForceCurve>& curves) {

@@ -255,6 +255,17 @@ std::vector<double> WeighedForces::FallBySample(const TriedForce& tried) {
   return falls;
 }
 
+std::vector<double> WeighedForces::SquaresBySample() const {
+  const Eigen::VectorXd inverse = LessShared(rest_);
+  std::vector<double> squares;
+  Eigen::Index next = 0;
+  for (const Eigen::MatrixXd& weight : weights_) {
+    squares.push_back(rest_.segment(next, weight.rows()).dot(inverse.segment(next, weight.rows())));
+    next += weight.rows();
+  }
+  return squares;
+}
+
 double WeighedForces::Product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
   return a.dot(b) - (shared_.transpose() * a).dot(shared_.transpose() * b);
 }

@@ -49,8 +49,9 @@ class WeighedForces {
   /// much of a mechanism is taken out: rests of a model that lacks more are smooth.
   double Correlated(const TriedForce& tried);
 
-  /// What each sample contributes to the fall of squares by a mechanism.
+  /// What each sample contributes to the fall of squares by a mechanism, and to the squares that are left.
   std::vector<double> FallBySample(const TriedForce& tried);
+  std::vector<double> SquaresBySample() const;
 
  private:
   /// The k directions of a place, real and imaginary for each sample: 2k columns a sample, and their products.

@@ -83,7 +83,9 @@ std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> fold
       Header(runs) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", VerdictHtml(runs, RankingOf(runs)) + RunTableHtml(runs)) +
       html::Section("errors", "Errors by group of channels", Errors(runs, JoinedName(experiments))) +
-      html::Section("parameters", "Parameters", html::Drawn("compared_parameters") + ParametersSideBySideHtml(runs)) +
+      html::Section("parameters", "Parameters",
+                    html::Drawn("compared_parameters") +
+                        html::Folded("All parameters of all runs", ParametersSideBySideHtml(runs))) +
       Curves(curves) + "</main>\n" + PageFooter(Sources(runs));
   const OrderedJson data = {{"comparison", ComparisonJson(runs, curves)}};
   return ReportDocument("Comparison of fits \u2013 fourpost report", body, CompactJson(data));

@@ -7,6 +7,7 @@
 
 #include "analysis/report/shown_number.h"
 #include "identify/report/run_result.h"
+#include "identify/uncertainty/misfit_limits.h"
 
 namespace fourpost {
 namespace {
@@ -22,10 +23,6 @@ constexpr double kFar_deg = 20;
 constexpr double kClose_percent = 5;
 constexpr double kFar_percent = 20;
 
-// Residuals over noise and stated model error, as of the whole fit: kLargeMisfit and kFarMisfit.
-constexpr double kWithinNoise = 1.5;
-constexpr double kFar = 3;
-
 Follows Judge(double score_close, double score_far) {
   if (score_close <= 1) return Follows::kWell;
   return score_far <= 1 ? Follows::kRoughly : Follows::kNot;
@@ -35,14 +32,22 @@ Follows Judge(double score_close, double score_far) {
 void JudgeByMisfit(const Json& channel, JudgedChannel& judged) {
   judged.misfit = NumberAt(channel, "misfit");
   if (!std::isfinite(judged.misfit)) return;
-  judged.numbers = ShownNumber(judged.misfit, 2) + " times noise and model error; " + judged.numbers;
+  judged.numbers = ShownNumber(judged.misfit, 2) + " times noise and stated model error; " + judged.numbers;
   const bool looks_alike = judged.score <= 1;
-  judged.score = judged.misfit / kWithinNoise;
-  judged.follows = Judge(judged.score, looks_alike ? 0 : judged.misfit / kFar);
+  judged.score = judged.misfit / kLargeMisfit;
+  judged.follows = Judge(judged.score, looks_alike ? 0 : judged.misfit / kFarMisfit);
+}
+
+/// None of an older run.
+std::optional<WorstPlace> PlaceOf(const Json& channel) {
+  const Json worst = channel.value("worst", Json());
+  const std::vector<Json> band = ListAt(worst, "band_Hz");
+  if (band.size() != 2 || !band[0].is_number() || !band[1].is_number()) return std::nullopt;
+  return WorstPlace{TextAt(worst, "recording"), band[0], band[1], NumberAt(worst, "misfit")};
 }
 
 std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
-  JudgedChannel judged{.name = TextAt(channel, "name")};
+  JudgedChannel judged{.name = TextAt(channel, "name"), .worst = PlaceOf(channel)};
   judged.recording = TextAt(channel, "recording");
   const double dB = NumberAt(channel, "rms_dB");
   const double deg = NumberAt(channel, "rms_deg");
@@ -79,7 +84,9 @@ std::vector<JudgedChannel> JudgeChannels(const std::vector<Json>& channels) {
     if (channel.recording.empty() || recordings.size() == 1) continue;
     channel.name = names.size() == 1 ? channel.recording : channel.name + " in " + channel.recording;
   }
-  std::stable_sort(judged.begin(), judged.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+  std::stable_sort(judged.begin(), judged.end(), [](const auto& a, const auto& b) {
+    return a.follows != b.follows ? a.follows < b.follows : a.score < b.score;
+  });
   return judged;
 }
 
@@ -88,7 +95,7 @@ std::string ShownLimits(const std::vector<JudgedChannel>& channels) {
   const auto has_misfit = [](const JudgedChannel& channel) { return std::isfinite(channel.misfit); };
   std::vector<std::string> limits;
   if (std::any_of(channels.begin(), channels.end(), has_misfit))
-    limits.push_back(ShownNumber(kWithinNoise, 2) + " times noise and stated model error");
+    limits.push_back(ShownNumber(kLargeMisfit, 2) + " times noise and stated model error");
   const auto by_size = [&](bool over_time) {
     return std::any_of(channels.begin(), channels.end(), [&](const JudgedChannel& channel) {
       return !has_misfit(channel) && is_history(channel) == over_time;

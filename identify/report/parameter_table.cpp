@@ -9,6 +9,7 @@
 #include "analysis/report/shown_number.h"
 #include "analysis/signals/median.h"
 #include "analysis/text/counted.h"
+#include "identify/report/sentences_html.h"
 
 namespace fourpost {
 namespace {
@@ -176,40 +177,77 @@ std::string ShownConfidence(std::string text) {
 }
 
 /// How far the data disagree, and what that costs.
-std::string WhyWide(const std::vector<ReportedParameter>& parameters, const Json& result) {
+std::string WhyWide(const FitOverview& overview, const std::vector<ReportedParameter>& parameters) {
+  if (overview.disagree.empty()) return "";
   std::vector<double> shares;
   for (const ReportedParameter& parameter : parameters)
     if (std::isfinite(parameter.noise_factor)) shares.push_back(parameter.noise_factor);
-  std::string ways;
-  for (const Json& way : ListAt(result.value("intervals", Json()), "ways"))
-    if (const std::string by = TextAt(way, "by"); !by.empty()) ways += (ways.empty() ? "" : " and ") + by;
-  std::string text = "Parts of the data" + (ways.empty() ? "" : " (by " + html::Escaped(ways) + ")") +
-                     " ask for different parameters, " +
-                     (NumberAt(result, "misfit") <= 1
-                          ? "by no more than the stated model error allows. "
-                          : "beyond noise. First check what was measured: gain, sign, delay, position and noise of "
-                            "each channel and post. If that is right, the model lacks something. ");
-  if (!shares.empty())
-    text += "By noise alone the intervals would be " + ShownNumber(Median(shares), 2) + " times narrower.";
+  // Runs of older versions do not hold it.
+  const double wider = std::isfinite(overview.wider_than_by_noise) ? overview.wider_than_by_noise
+                       : shares.empty()                            ? std::nan("")
+                                                                   : Median(shares);
+  std::string text = CodeHtml(DisagreementSentence(overview));
+  if (!overview.IsExplained())
+    text +=
+        " First check what was measured: gain, sign, delay, position and noise of each channel and post. If that is "
+        "right, the model lacks something.";
+  if (std::isfinite(wider))
+    text += " By noise alone the intervals would be " + ShownNumber(wider, 2) + " times narrower.";
   return html::Element("p", "", text) + '\n';
 }
 
-/// Parameters by what limits them, with what would help.
+/// What would narrow the intervals of parameters that are limited so: "model", "held", ...
+std::string RemedyFor(const std::string& kind) {
+  if (kind == "noise") return "Measure longer or more often";
+  if (kind == "model") return "Check these data; if they are right, add to the model what they ask for";
+  if (kind == "missing") return "Add to the model what it lacks, and fit again";
+  if (kind == "held") return "Measure or free these held parameters";
+  if (kind == "calibration") return "Calibrate these, and state the smaller standard deviation";
+  return "Reduce what limits them";
+}
+
+/// Things in the order in which they came up, each with what belongs to it.
+using Grouped = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+std::vector<std::string>& Of(const std::string& name, Grouped& groups) {
+  const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == name; });
+  if (known != groups.end()) return known->second;
+  groups.emplace_back(name, std::vector<std::string>());
+  return groups.back().second;
+}
+
+std::string Listed(const std::vector<std::string>& html) {
+  std::string text;
+  for (const std::string& one : html) text += (text.empty() ? "" : ", ") + one;
+  return text;
+}
+
+/// Parameters by what would narrow their intervals, and by the part of the data or the thing that it is to be done to.
 std::string RemediesHtml(const std::vector<ReportedParameter>& parameters) {
-  std::vector<std::pair<std::string, std::string>> groups;
+  Grouped kinds;
+  Grouped named;
   for (const ReportedParameter& parameter : parameters) {
     if (parameter.limited_by.empty() || !std::isfinite(parameter.sd)) continue;
-    const auto known = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& group) { return group.first == parameter.limited_by; });
-    if (known == groups.end()) groups.emplace_back(parameter.limited_by, html::Code(parameter.name));
-    else known->second += ", " + html::Code(parameter.name);
+    std::vector<std::string>& of_kind = Of(parameter.limited_by.substr(0, parameter.limited_by.find(": ")), kinds);
+    if (std::find(of_kind.begin(), of_kind.end(), parameter.limited_by) == of_kind.end())
+      of_kind.push_back(parameter.limited_by);
+    Of(parameter.limited_by, named).push_back(html::Code(parameter.name));
   }
   std::string items;
-  for (const auto& [limited_by, names] : groups) {
-    const Limit limit = LimitOf(limited_by);
-    items += html::Element("li", "", names + ": " + html::Escaped(limit.text + ". " + limit.remedy));
+  for (const auto& [kind, limits] : kinds) {
+    std::vector<std::string> parts;
+    for (const std::string& limited_by : limits) {
+      const std::size_t colon = limited_by.find(": ");
+      const std::string name = colon == std::string::npos ? "" : InWords(limited_by.substr(colon + 2));
+      parts.push_back(html::Escaped(name) + (name.empty() ? "" : " for ") + Listed(Of(limited_by, named)));
+    }
+    std::string list;
+    for (const std::string& part : parts) list += html::Element("li", "", part);
+    items += html::Element(
+        "li", "",
+        html::Escaped(RemedyFor(kind)) + ": " + (parts.size() == 1 ? parts.front() : html::Element("ul", "", list)));
   }
-  return items.empty() ? "" : html::Element("ul", "", items) + '\n';
+  return items.empty() ? "" : html::Element("ul", "remedies", items) + '\n';
 }
 
 /// Recordings that want other values than the rest: the first, and the others on demand.
@@ -268,13 +306,12 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
          '\n';
 }
 
-std::string IntervalBasisHtml(const std::vector<ReportedParameter>& parameters, const Json& result) {
+std::string IntervalBasisHtml(const std::vector<ReportedParameter>& parameters, const Json& result,
+                              const FitOverview& overview) {
   const Json intervals = result.value("intervals", Json());
   if (!intervals.is_object()) return "";
-  const Json flag = intervals.value("model_error", Json());
-  std::string html;
-  if (flag.is_boolean() && flag.get<bool>()) html += WhyWide(parameters, result);
-  html += RemediesHtml(parameters) + ContradictionsHtml(parameters, ListAt(intervals, "contradictions"));
+  const std::string html = WhyWide(overview, parameters) + RemediesHtml(parameters) +
+                           ContradictionsHtml(parameters, ListAt(intervals, "contradictions"));
   return html.empty() ? "" : "<h3>What would narrow the intervals</h3>\n" + html;
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "identify/report/fit_overview.h"
 #include "identify/report/run_result.h"
 
 namespace fourpost {
@@ -16,6 +17,7 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
                                const std::string& confidence = "");
 
 /// Why intervals are as wide as they are, and what would make them narrower; empty of runs that do not say.
-std::string IntervalBasisHtml(const std::vector<ReportedParameter>& parameters, const nlohmann::json& result);
+std::string IntervalBasisHtml(const std::vector<ReportedParameter>& parameters, const nlohmann::json& result,
+                              const FitOverview& overview);
 
 }  // namespace fourpost

@@ -252,16 +252,18 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   std::string scene_fault;
   const OrderedJson scene = SceneOf(parts, run, scene_fault);
 
+  const FitOverview overview = OverviewOf(result);
   const StudyAbout about = AboutOf(run);
   const std::string body = Header(result, about) + "<nav id=\"contents\"></nav>\n<main>\n" +
-                           html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
+                           html::Section("summary", "Summary", SummaryHtml(result, overview, parameters, remarks)) +
                            html::Section("parameters", "Parameters",
                                          ParameterTableHtml(parameters, why, ConfidenceOf(result)) +
-                                             IntervalBasisHtml(parameters, result) + Profiles(result, run)) +
+                                             IntervalBasisHtml(parameters, result, overview) + Profiles(result, run)) +
                            Body(result, parts, scene, scene_fault, why) + "</main>\n" +
                            PageFooter("the files in the folder of the fit");
-  return PageOf(TitleOf(result, about) + " \u2013 fourpost report", body,
-                DataOf(result, parts, scene, run, parameters));
+  OrderedJson data = DataOf(result, parts, scene, run, parameters);
+  data["overview"] = OverviewJson(overview);
+  return PageOf(TitleOf(result, about) + " \u2013 fourpost report", body, data);
 }
 
 }  // namespace fourpost

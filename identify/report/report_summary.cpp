@@ -1,18 +1,19 @@
 #include "identify/report/report_summary.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
+#include "analysis/text/counted.h"
 #include "analysis/text/enumeration.h"
 #include "identify/report/channel_list.h"
 #include "identify/report/grown_path.h"
-#include "identify/report/judged_channel.h"
 #include "identify/report/missing_additions.h"
+#include "identify/report/modelled_recordings.h"
 #include "identify/report/report_tiles.h"
+#include "identify/report/sentences_html.h"
 #include "identify/uncertainty/derivative_noise.h"
 #include "vehicles/requests/versions.h"
 
@@ -24,18 +25,8 @@ using Json = nlohmann::json;
 // Relative standard deviations.
 constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
-// Residuals over noise and stated model error: above this the model lacks something, below that nothing is left.
-constexpr double kMisses = 1.5;
-constexpr double kExplained = 1.1;
 // Correlations.
 constexpr double kTied = 0.95;
-
-/// Residuals over noise and stated model error; of older runs what deviations were multiplied by, which is the
-/// same where no loss bounds the pull of outliers.
-double MisfitOf(const Json& result) {
-  const double misfit = NumberAt(result, "misfit");
-  return std::isfinite(misfit) ? misfit : NumberAt(result.value("identifiability", Json()), "sd_inflation");
-}
 
 using html::Code;
 
@@ -50,29 +41,6 @@ std::size_t CountOf(const std::vector<JudgedChannel>& channels, Follows follows)
       channels.begin(), channels.end(), [&](const JudgedChannel& channel) { return channel.follows == follows; }));
 }
 
-struct Judgement {
-  std::string name;
-  std::string html;
-};
-
-bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
-  return std::any_of(channels.begin(), channels.end(),
-                     [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
-}
-
-/// What stands between backticks as code; one that has no partner stays.
-std::string WithCode(const std::string& text) {
-  std::string html;
-  std::size_t from = 0;
-  for (std::size_t open = text.find('`'); open != std::string::npos; open = text.find('`', from)) {
-    const std::size_t close = text.find('`', open + 1);
-    if (close == std::string::npos) break;
-    html += html::Escaped(text.substr(from, open - from)) + html::Code(text.substr(open + 1, close - open - 1));
-    from = close + 1;
-  }
-  return html + html::Escaped(text.substr(from));
-}
-
 /// {"id", "text"}, or the text alone of an older run.
 std::string FindingText(const Json& finding) {
   if (finding.is_string()) return finding.get<std::string>();
@@ -84,7 +52,7 @@ std::string DoesNotExplain(const Json& result) {
   const std::vector<Json> reasons = ListAt(result.value("verdict", Json()), "reasons");
   std::vector<std::string> listed;
   for (const Json& reason : reasons)
-    if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(WithCode(text));
+    if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(CodeHtml(text));
   if (listed.empty()) return "";
   return "<strong>The model does not explain the data:</strong> " + Enumeration(listed) + ". ";
 }
@@ -93,7 +61,7 @@ std::string DoesNotExplain(const Json& result) {
 std::string WhatWasAccepted(const Json& result) {
   std::vector<std::string> listed;
   for (const Json& one : ListAt(result.value("verdict", Json()), "accepted"))
-    if (const std::string text = FindingText(one); !text.empty()) listed.push_back(WithCode(text));
+    if (const std::string text = FindingText(one); !text.empty()) listed.push_back(CodeHtml(text));
   return listed.empty() ? "" : "<strong>Implausible values were accepted:</strong> " + Enumeration(listed) + ". ";
 }
 
@@ -122,59 +90,27 @@ std::string OfAnotherVersion(const Json& result) {
          ", which leaves out what it does not know.";
 }
 
-std::string ResidualsAre(double misfit) {
-  return "Residuals are " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain";
+std::string HowItEnded(const std::string& end) {
+  if (end == "converged") return "<strong>The fit converged.</strong> ";
+  if (end == "interrupted")
+    return "<strong>The fit is not finished, it was interrupted.</strong> This is the best point until then. ";
+  if (end == "all_failed") return "<strong>Every simulation failed.</strong> Nothing was fitted. ";
+  if (end == "not_converged") return "<strong>The fit did not converge.</strong> A better point may be near. ";
+  return "<strong>The end of the fit is of an unknown kind.</strong> ";
 }
 
-/// Where stated standard deviations are several times what there is.
-std::string StatedTooLarge(double misfit) {
-  constexpr double kSmall = 0.3;
-  if (!(misfit < kSmall)) return "";
-  return " They are " + ShownNumber(misfit, 2) +
-         " times as large as stated: state smaller ones, such as <code>model_error</code>, for intervals follow from "
-         "them.";
-}
-
-Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
+/// What the fit is worth, in the words of its overview.
+std::string VerdictHtml(const Json& result, const FitOverview& overview) {
   const std::string end = TextAt(result, "termination");
-  const Json starts = result.value("starts", Json());
-  const double agreeing = NumberAt(starts, "agreeing");
-  const double refined = NumberAt(starts, "refined");
-  std::string name = "good";
-  std::string text = DoesNotExplain(result);
-  if (!text.empty()) name = "poor";
-  else if (end == "converged") text = "<strong>The fit converged.</strong> ";
-  else if (end == "interrupted")
-    text = "<strong>The fit is not finished, it was interrupted.</strong> This is the best point until then. ";
-  else if (end == "all_failed") text = "<strong>Every simulation failed.</strong> Nothing was fitted. ";
-  else if (end == "not_converged") text = "<strong>The fit did not converge.</strong> A better point may be near. ";
-  else text = "<strong>The end of the fit is of an unknown kind.</strong> ";
-  // What has not ended says little of the model.
-  if (end == "interrupted") name = "open";
-  else if (end != "converged") name = "poor";
-  const std::string accepted = WhatWasAccepted(result);
-  text += accepted + Agreement(result, end == "interrupted");
-  if (!accepted.empty() && name == "good") name = "fair";
-  if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
-  const double misfit = MisfitOf(result);
-  if (std::isfinite(misfit)) {
-    text += misfit > kExplained ? ResidualsAre(misfit) + "; about 1 is expected." + MostLikelyMissing(result)
-                                : "Noise and the stated model error explain the residuals." + StatedTooLarge(misfit);
-    if (misfit > kMisses && name == "good") name = "fair";
-  }
-  if (IsAnyFar(unseen) && name == "good") name = "fair";
-  if (const std::string growth = InterruptedGrowth(result); !growth.empty()) {
-    text = growth + text;
-    if (name != "poor") name = "open";
-  }
-  if (!text.ends_with(' ')) text += ' ';
-  return {name, text + OfAnotherVersion(result)};
-}
-
-/// As part of a sentence.
-std::string Lowered(std::string text) {
-  text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-  return text;
+  const std::string against = DoesNotExplain(result);
+  std::string text = InterruptedGrowth(result) + (against.empty() ? HowItEnded(end) : against) +
+                     WhatWasAccepted(result) + Agreement(result, end == "interrupted");
+  for (const std::string& sentence :
+       {ResidualSentence(overview), WorstSentence(overview), DisagreementSentence(overview)})
+    if (!sentence.empty()) text += CodeHtml(sentence) + ' ';
+  if (!overview.IsExplained())
+    if (const std::string missing = MostLikelyMissing(result); !missing.empty()) text += missing + ' ';
+  return text + OfAnotherVersion(result);
 }
 
 std::string Item(const std::string& title, const std::string& html) {
@@ -189,13 +125,12 @@ std::string WhatFits(const std::vector<JudgedChannel>& channels) {
   return ChannelList(channels, Follows::kWell, false) + (well == 1 ? " is " : " are ") + within + ".";
 }
 
-std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::string& worst) {
+std::string WhatDoesNot(const std::vector<JudgedChannel>& channels) {
   const std::string roughly = ChannelList(channels, Follows::kRoughly, true);
   const std::string far = ChannelList(channels, Follows::kNot, true);
   std::string text;
   if (!far.empty()) text += "Poor: " + far + ". ";
   if (!roughly.empty()) text += "Fair: " + roughly + ". ";
-  if (!text.empty()) text += worst;
   return text;
 }
 
@@ -207,13 +142,6 @@ std::string Sentences(const std::string& first, const std::string& second) {
 std::string WhatItMisses(const std::vector<JudgedChannel>& unseen) {
   const std::string far = ChannelList(unseen, Follows::kNot, true);
   return far.empty() ? "" : "Poor on recordings that were not fitted: " + far + ". ";
-}
-
-/// Where all fitted channels are within tolerance.
-std::string WhatIsLeft(const Json& result) {
-  const double misfit = MisfitOf(result);
-  if (!(misfit > kMisses)) return "All fitted channels are within tolerance.";
-  return "All fitted channels are within tolerance, but " + Lowered(ResidualsAre(misfit)) + '.';
 }
 
 /// What channels of recordings that were not fitted are counted as: a damper has one in each, a vehicle many.
@@ -322,19 +250,37 @@ bool AgreesWithItself(const Json& result) {
   return intervals.contains("model_error") && intervals["model_error"] == false;
 }
 
+/// Where the residuals of stepped sines are largest; empty where no place is known.
+std::string AtWorstPlace(const FitOverview& overview, bool is_wiring_cleared) {
+  const JudgedChannel* const channel = overview.Worst();
+  if (channel == nullptr || !channel->worst) return "";
+  const WorstPlace& place = *channel->worst;
+  const std::string where = ShownShort(std::sqrt(place.lower_Hz * place.upper_Hz), 2) + " Hz";
+  const bool is_slow = place.upper_Hz <= 2;
+  return (is_wiring_cleared
+              ? "The audit suspects no channel, so at " + Code(channel->name) + " the model lacks a mechanism near " +
+                    where
+              : "Check the wiring of " + Code(channel->name) +
+                    " (sign, scale, delay, position). If it is right, the model lacks a mechanism near " + where) +
+         (is_slow ? ". Large errors in small slow strokes are typical of dry friction. Add friction, or test these "
+                    "frequencies at two amplitudes: friction makes the gain depend on amplitude."
+                  : ". Repeat the recording at another amplitude: a nonlinear law changes with it, a missing "
+                    "degree of freedom does not.");
+}
+
 /// Where residuals are larger than noise and stated model error explain.
-std::string OnMisfit(const Json& result, const ReportRemarks& remarks) {
+std::string OnMisfit(const Json& result, const ReportRemarks& remarks, const FitOverview& overview) {
   if (AgreesWithItself(result))
     return "Residuals are larger than their stated standard deviations, yet no part of the data contradicts another. "
            "State the "
            "noise that the recordings have.";
-  if (!remarks.where_missed.empty()) return remarks.where_missed;
+  if (const std::string place = AtWorstPlace(overview, remarks.is_wiring_cleared); !place.empty()) return place;
   return "Check sign, scale, delay and position of the channels with large residuals. If they are right, the model "
          "lacks a mechanism: fit a richer one to the same recordings and compare the runs.";
 }
 
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
-                                  const ReportRemarks& remarks, const std::vector<JudgedChannel>& unseen) {
+                                  const ReportRemarks& remarks, const FitOverview& overview) {
   // What has not ended says little of the model.
   if (TextAt(result, "termination") == "interrupted")
     return {"Run the same command again; it continues from its archive."};
@@ -356,91 +302,55 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
                      (bound.size() == 1 ? "this parameter compensates." : "these parameters compensate."));
   if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);
   advice.insert(advice.end(), remarks.further.begin(), remarks.further.end());
-  if (MisfitOf(result) > kMisses) advice.push_back(OnMisfit(result, remarks));
-  if (IsAnyFar(unseen))
+  if (overview.explained == Explained::kNo) advice.push_back(OnMisfit(result, remarks, overview));
+  if (CountOf(overview.unseen, Follows::kNot) > 0)
     advice.push_back(
         "The model does not predict the validation recordings. Use a richer model, or fit recordings that reach the "
         "same frequencies and strokes.");
   if (!advice.empty()) return advice;
-  if (MisfitOf(result) <= kExplained) return {"Nothing is missing for this model; a richer one would need more data."};
-  if (MisfitOf(result) <= kMisses)
+  if (overview.IsExplained())
+    return {overview.disagree.empty()
+                ? "Nothing is missing for this model; a richer one would need more data."
+                : "No more is missing than the stated model error allows; a smaller one asks for a richer model."};
+  if (overview.explained == Explained::kNearly)
     return {"Little is missing. Fit a richer model to the same recordings to find what explains the rest."};
   if (!remarks.where_not_weighed.empty()) return {remarks.where_not_weighed};
   return {"The run holds no misfit. Fit again to have it assessed."};
 }
 
 /// Of the inputs and the residuals; none of older runs.
-std::string WhatWasOdd(const Json& result) {
+std::string WarningsHtml(const Json& result) {
+  const std::vector<Json> warnings = ListAt(result, "warnings");
   std::string items;
-  for (const Json& warning : ListAt(result, "warnings"))
-    if (const std::string text = FindingText(warning); !text.empty()) items += html::Element("li", "", WithCode(text));
-  return items.empty() ? "" : html::Element("ul", "", items);
-}
-
-std::string Largest(const Json& error, const std::string& kind, const std::string& unit) {
-  const Json largest = error.value(kind, Json());
-  return ShownShort(NumberAt(largest, "value"), 2) + ' ' + unit + " (" + Code(TextAt(largest, "channel")) + ", " +
-         ShownShort(NumberAt(largest, "frequency_Hz"), 3) + " Hz)";
-}
-
-/// The error of linear kinematics in a recording; empty where the run does not hold it.
-std::string OffBy(const Json& recording) {
-  const Json error = recording.value("linear_kinematics_error", Json());
-  if (!error.is_object()) return "";
-  if (const std::string why = TextAt(error, "not_estimated"); !why.empty())
-    return "the error of linear kinematics could not be estimated: " + html::Escaped(why);
-  if (error.contains("gain_dB"))
-    return "error of linear kinematics at most " + Largest(error, "gain_dB", "dB") + " and " +
-           Largest(error, "phase_deg", "degrees");
-  const std::string channel = TextAt(error, "channel");
-  return "error of linear kinematics " + ShownShort(100 * NumberAt(error, "value"), 2) + " % rms" +
-         (channel.empty() ? "" : " (" + Code(channel) + ")");
-}
-
-/// The engine that modelled each recording, and its error; none of older runs.
-std::string HowModelled(const std::vector<Json>& recordings) {
-  std::string items;
-  for (const Json& recording : recordings) {
-    const std::string off = OffBy(recording);
-    const double change = NumberAt(recording, "correction_change");
-    items += html::Element(
-        "li", "",
-        Code(TextAt(recording, "recording")) + ": engine " + html::Escaped(TextAt(recording, "engine")) +
-            (off.empty() ? "" : "; " + off) +
-            (std::isfinite(change) ? "; one more correction would change it by " + ShownShort(100 * change, 2) + " %"
-                                   : ""));
-  }
-  return items.empty() ? "" : html::Element("ul", "", items);
+  for (const Json& warning : warnings)
+    if (const std::string text = FindingText(warning); !text.empty()) items += html::Element("li", "", CodeHtml(text));
+  return html::Folded(Counted(warnings.size(), "warning") + " about inputs and residuals",
+                      items.empty() ? "" : html::Element("ul", "", items));
 }
 
 }  // namespace
 
-std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>& parameters,
-                        const ReportRemarks& remarks) {
-  const std::vector<JudgedChannel> judged = JudgeChannels(ListAt(result, "channels"));
-  const std::vector<Json> validation = ListAt(result, "validation");
-  const std::vector<JudgedChannel> unseen = JudgeChannels(validation);
-  const Judgement verdict = HowItEnded(result, unseen);
-  std::string misses = WhatDoesNot(judged, remarks.worst);
-  if (misses.empty() && !judged.empty()) misses = WhatIsLeft(result) + ' ';
-  if (!misses.empty() && !misses.ends_with(' ')) misses += ' ';
-  misses += WhatItMisses(unseen);
+std::string SummaryHtml(const Json& result, const FitOverview& overview,
+                        const std::vector<ReportedParameter>& parameters, const ReportRemarks& remarks) {
+  std::string misses = WhatDoesNot(overview.channels);
+  if (misses.empty() && !overview.channels.empty()) misses = "All fitted channels are within tolerance. ";
+  misses += WhatItMisses(overview.unseen);
   std::string next;
-  for (const std::string& advice : WhatNext(result, parameters, remarks, unseen))
+  for (const std::string& advice : WhatNext(result, parameters, remarks, overview))
     next += html::Element("li", "", advice);
-  const std::string tiles = TilesHtml({verdict.name, MisfitOf(result), judged, unseen, parameters});
-  return tiles + html::Drawn("overview") + html::Element("p", "verdict " + verdict.name, verdict.html) +
-         "\n<dl class=\"summary\">\n" + Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
-         Item("What does not fit", misses) +
-         Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result, MisfitOf(result) > kMisses))) +
-         Item("How it grew", HowItGrew(result)) +
-         Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
-         Item("How it was modelled", HowModelled(remarks.modelled)) +
-         Item("What is determined", WhatIsDetermined(parameters)) +
+  const std::string missing =
+      Sentences(remarks.missing_force, WhatIsMissing(result, overview.explained == Explained::kNo));
+  const std::string predicts =
+      Sentences(WhatItPredicts(ListAt(result, "validation"), overview.unseen), WhatWasLeftOut(result));
+  const bool is_interrupted = TextAt(result, "termination") == "interrupted";
+  return TilesHtml(overview, parameters) + html::Drawn("overview") +
+         html::Element("p", "verdict " + overview.verdict, VerdictHtml(result, overview)) +
+         "\n<dl class=\"summary\">\n" + Item("What fits", WhatFits(overview.channels)) +
+         Item("What does not fit", misses) + Item("What is missing", missing) + Item("How it grew", HowItGrew(result)) +
+         Item("What it predicts", predicts) + Item("What is determined", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters, remarks)) +
-         Item(TextAt(result, "termination") == "interrupted" ? "What to do next" : "What to measure next",
-              html::Element("ul", "", next)) +
-         "</dl>\n";
+         Item(is_interrupted ? "What to do next" : "What to measure next", html::Element("ul", "", next)) + "</dl>\n" +
+         WarningsHtml(result) + html::Folded("How it was modelled", ModelledHtml(remarks.modelled));
 }
 
 }  // namespace fourpost

@@ -31,15 +31,21 @@ std::string Misfit(double misfit) {
   return Tile("Misfit", ShownNumber(misfit, 2), "times noise and stated model error; 1 is expected");
 }
 
-/// The scripts add where in its band it is worst, and lead to its chart.
-std::string WorstChannel(const std::vector<JudgedChannel>& channels) {
-  if (channels.empty()) return Tile("Worst channel", "\u2013", "nothing was compared");
-  const JudgedChannel& worst = channels.back();
-  const std::string name = html::Escaped(worst.name);
+std::string PlaceText(const WorstPlace& place) {
+  return "; most in " + place.recording + " at " + ShownShort(place.lower_Hz, 3) + "\u2013" +
+         ShownShort(place.upper_Hz, 3) + " Hz";
+}
+
+/// The scripts lead to its chart.
+std::string WorstChannel(const JudgedChannel* worst) {
+  if (worst == nullptr) return Tile("Worst channel", "\u2013", "nothing was compared");
+  const std::string figure = std::isfinite(worst->misfit)
+                                 ? ShownNumber(worst->misfit, 2) + " times noise and stated model error"
+                                 : worst->numbers;
   return Tile("Worst channel",
-              "<a href=\"#" + std::string(worst.is_history ? "histories" : "responses") + "\" data-worst=\"" + name +
-                  "\">" + html::Code(worst.name) + "</a>",
-              html::Escaped(worst.numbers));
+              "<a href=\"#" + std::string(worst->is_history ? "histories" : "responses") + "\" data-worst=\"" +
+                  html::Escaped(worst->name) + "\">" + html::Code(worst->name) + "</a>",
+              html::Escaped(figure + (worst->worst ? PlaceText(*worst->worst) : "")));
 }
 
 std::string Predicts(const std::vector<JudgedChannel>& unseen) {
@@ -69,10 +75,10 @@ std::string Trust(const std::vector<ReportedParameter>& parameters) {
 
 }  // namespace
 
-std::string TilesHtml(const ReportTiles& tiles) {
-  return "<div class=\"tiles " + tiles.verdict + "\">\n<div class=\"tile\"><span>Fit</span><b class=\"word\">" +
-         WordOf(tiles.verdict) + "</b></div>\n" + Misfit(tiles.misfit) + WorstChannel(tiles.channels) +
-         Predicts(tiles.unseen) + Trust(tiles.parameters) + "</div>\n";
+std::string TilesHtml(const FitOverview& overview, const std::vector<ReportedParameter>& parameters) {
+  return "<div class=\"tiles " + overview.verdict + "\">\n<div class=\"tile\"><span>Fit</span><b class=\"word\">" +
+         WordOf(overview.verdict) + "</b></div>\n" + Misfit(overview.misfit) + WorstChannel(overview.Worst()) +
+         Predicts(overview.unseen) + Trust(parameters) + "</div>\n";
 }
 
 }  // namespace fourpost

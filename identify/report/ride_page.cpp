@@ -9,6 +9,7 @@
 #include "analysis/comfort/weighting.h"
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
+#include "identify/report/ride_terms.h"
 #include "identify/report/sentences_html.h"
 #include "identify/report/vehicle_page.h"
 #include "vehicles/requests/ride_tables.h"
@@ -109,7 +110,7 @@ ReportSection SectionOf(const ShownRides& shown, std::size_t i, const CurveGroup
   std::string title = ride.motion;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return {"ride-" + std::to_string(i + 1), title,
-          html + SentencesHtml(RideMethod(ride) + '\n' + RideFoot(ride)) + "<h3>Power spectra</h3>\n" +
+          html + SentencesHtml(RideMethod(ride) + '\n' + RideFoot(ride)) + RideTermsHtml() + "<h3>Power spectra</h3>\n" +
               (i == 0 ? html::Drawn("sliders") : "") + "<div class=\"follows\"><div>" +
               CurvesHtml(spectra, "spectra.csv") + "</div></div>\n"};
 }

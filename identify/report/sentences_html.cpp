@@ -1,6 +1,7 @@
 #include "identify/report/sentences_html.h"
 
 #include <cctype>
+#include <cstddef>
 #include <sstream>
 
 #include "analysis/report/html.h"
@@ -16,6 +17,18 @@ std::string SentencesHtml(const std::string& text) {
     sentences += (sentences.empty() ? "" : " ") + html::Escaped(line) + (line.back() == '.' ? "" : ".");
   }
   return html::Element("p", "note", sentences) + '\n';
+}
+
+std::string CodeHtml(const std::string& text) {
+  std::string html;
+  std::size_t from = 0;
+  for (std::size_t open = text.find('`'); open != std::string::npos; open = text.find('`', from)) {
+    const std::size_t close = text.find('`', open + 1);
+    if (close == std::string::npos) break;
+    html += html::Escaped(text.substr(from, open - from)) + html::Code(text.substr(open + 1, close - open - 1));
+    from = close + 1;
+  }
+  return html + html::Escaped(text.substr(from));
 }
 
 }  // namespace fourpost

@@ -11,6 +11,7 @@
 #include "analysis/text/nearest.h"
 #include "identify/fit/fitted_parameters.h"
 #include "identify/fit/profile_chart.h"
+#include "identify/report/fit_overview.h"
 #include "identify/report/report_page.h"
 #include "identify/run/findings.h"
 #include "identify/run/fit_text.h"
@@ -362,8 +363,9 @@ class Fitter {
     Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
     results.json["missing"] = MissingJson(missing, loaded, fit);
     if (request_.growth) results.json["growth"] = GrownJson(*request_.growth);
-    run.text = FitText(fit, run.verdict, conclusions, results.text + UnseenText(results), results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
+    run.text = FitText(fit, OverviewOf(nlohmann::json::parse(run.json)), run.verdict, conclusions,
+                       results.text + UnseenText(results), results.json["missing"]);
     std::vector<std::pair<std::string, std::string>>& files = results.files;
     files.emplace_back("parameters.csv",
                        ParametersCsv(loaded.vehicle, fit.parameters, fit.certainty ? fit.certainty->Confidence() : ""));

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "analysis/signals/median.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 
@@ -73,24 +73,35 @@ std::string RecordingContradictions(const FitResult& fit) {
   return text;
 }
 
+/// A sentence of an overview, with names as messages have them, in lines of a terminal.
+std::string Told(std::string sentence) {
+  constexpr std::size_t kWidth = 118;
+  std::replace(sentence.begin(), sentence.end(), '`', '\'');
+  std::string text;
+  std::size_t column = 0;
+  std::istringstream words(sentence);
+  for (std::string word; words >> word;) {
+    const bool is_new = column > 0 && column + 1 + word.size() > kWidth;
+    text += column == 0 ? "" : is_new ? "\n" : " ";
+    column = is_new ? word.size() : column + (column > 0) + word.size();
+    text += word;
+  }
+  return text.empty() ? "" : text + '\n';
+}
+
 /// Why the intervals are as wide as they are.
-std::string IntervalBasis(const FitResult& fit) {
-  if (!fit.certainty || !fit.certainty->model_error.is_significant) return "";
+std::string IntervalBasis(const FitOverview& overview) {
+  if (overview.disagree.empty()) return "";
   std::string ways;
-  for (const PartedData& way : fit.certainty->model_error.ways)
-    if (way.IsSignificant())
-      ways += (ways.empty() ? "  Parameters differ between " : ", between ") + way.name + " " +
-              Rounded(std::sqrt(way.disagreement / way.degrees), 2) + " times" +
-              (ways.empty() ? " as much as noise explains" : "");
-  std::vector<double> shares;
-  for (const Eigen::Index j : fit.certainty->judged)
-    shares.push_back(fit.certainty->HalfWidth(j) / (fit.certainty->covariance.reach_95 * fit.certainty->noise_sd[j]));
-  const bool is_within_stated = fit.Misfit() <= 1;
-  return std::string("Parts of the data ask for different parameters") +
-         (is_within_stated ? ", by no more than the stated model error\nallows. The intervals allow for that.\n"
-                           : ". The intervals allow for that. First check what was measured\n(gain, sign, delay, place "
-                             "and noise of each channel and post); if it is right, the model lacks something.\n") +
-         ways + ".\n  By noise alone the intervals would be " + Rounded(Median(shares), 2) +
+  for (std::size_t i = 0; i < overview.disagree.size(); ++i)
+    ways += (ways.empty() ? "  Parameters differ between " : ", between ") + overview.disagree[i] + " " +
+            Rounded(overview.disagreement[i], 2) + " times" + (ways.empty() ? " as much as noise explains" : "");
+  return Told(DisagreementSentence(overview)) +
+         (overview.IsExplained()
+              ? ""
+              : "First check what was measured (gain, sign, delay, place and noise of each channel and post); if it is "
+                "right, the\nmodel lacks something.\n") +
+         ways + ".\n  By noise alone the intervals would be " + Rounded(overview.wider_than_by_noise, 2) +
          " times narrower.\n"
          "  Limited by noise: measure longer or more often; by the model: add what those data ask for;\n"
          "  by a held parameter: free or measure it.\n";
@@ -214,19 +225,12 @@ std::string MissingText(const nlohmann::ordered_json& missing, bool is_large) {
   return text + together;
 }
 
-/// How large the residuals are, what could explain them, and the direction that the data determine least.
-std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missing) {
+/// What the fit is worth, what could explain the residuals, and the direction that the data determine least.
+std::string Judgement(const FitResult& fit, const FitOverview& overview, const nlohmann::ordered_json& missing) {
   if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
-  std::string text =
-      "Residuals are " + Rounded(fit.Misfit(), 2) + " times what noise" +
-      (fit.IsMostlyInputNoise() ? ", most of it of the recorded posts," : "") + " and the stated model error explain" +
-      (fit.certainty && !fit.certainty->calibrations.empty() ? ", calibrated" : "") + "; about 1 is expected.\n" +
-      (fit.Misfit() < kSmallMisfit && !(fit.certainty && fit.certainty->IsBeyondNoise())
-           ? "Standard deviations follow from what the study states: state smaller ones, such as "
-             "'model_error'.\n"
-           : "") +
-      MissingText(missing, fit.Misfit() > kLargeMisfit);
+  std::string text = "Fit: " + overview.verdict + ". " + Told(ResidualSentence(overview)) +
+                     Told(WorstSentence(overview)) + MissingText(missing, overview.explained == Explained::kNo);
   if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
   text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
@@ -240,11 +244,12 @@ std::string InstrumentNumber(double value, const std::string& unit) {
   return unit == "s" ? Rounded(1e3 * value, 2) + " ms" : Rounded(value, 3) + " N";
 }
 
-std::string FitText(const FitResult& fit, const FitVerdict& verdict, const Diagnostics& conclusions,
-                    const std::string& sections, const nlohmann::ordered_json& missing) {
-  const std::string basis = IntervalBasis(fit) + RecordingContradictions(fit);
+std::string FitText(const FitResult& fit, const FitOverview& overview, const FitVerdict& verdict,
+                    const Diagnostics& conclusions, const std::string& sections,
+                    const nlohmann::ordered_json& missing) {
+  const std::string basis = IntervalBasis(overview) + RecordingContradictions(fit);
   return ParameterTable(fit) + '\n' + basis + (basis.empty() ? "" : "\n") + ProfileTable(fit) + CalibrationTable(fit) +
-         sections + Summary(fit, verdict) + Judgement(fit, missing) +
+         sections + Summary(fit, verdict) + Judgement(fit, overview, missing) +
          (conclusions.items().empty() ? "" : conclusions.Format() + '\n');
 }
 

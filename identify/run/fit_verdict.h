@@ -5,15 +5,9 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/fit/fit.h"
 #include "identify/residuals/error_share.h"
+#include "identify/uncertainty/misfit_limits.h"
 
 namespace fourpost {
-
-/// Residuals over noise and stated model error: above it the model lacks something.
-inline constexpr double kLargeMisfit = 1.5;
-/// Far above it: what the model lacks is several times what is stated.
-inline constexpr double kFarMisfit = 3;
-/// Below it the study states more noise and model error than there is.
-inline constexpr double kSmallMisfit = 0.3;
 
 /// Whether a fit explains its data, however well its numbers converged.
 struct FitVerdict {
@@ -34,10 +28,11 @@ struct FitVerdict {
 ///   channel in the wrong unit is either quiet beside the others of its unit, or has an NMSE just below 100 %;
 /// - most parameters are at their bounds and the misfit is more than 1.5 times what noise and model error explain;
 /// - more than a quarter of them is, the misfit is more than 3, and most channels have an error above 5 %;
-/// - most channels have an error above 20 %, and the misfit is more than 1.5: what noise and the stated model error allow
+/// - most channels have an error above 20 %, and the misfit is more than 1.5: what noise and the stated model error
+/// allow
 ///   is no fault of the model. Without a misfit that is not known.
-/// Decibels and degrees are not counted: next to a node they are large in a good model. A fit that was interrupted is not
-/// judged: no reasons.
+/// Decibels and degrees are not counted: next to a node they are large in a good model. A fit that was interrupted is
+/// not judged: no reasons.
 FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares, const Diagnostics& accepted = {});
 
 /// What the fit and its standard deviations are worth: whether it explains the data and converged, and which parameters

@@ -1,10 +1,12 @@
 #include "identify/run/result_json.h"
 
 #include <cmath>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/files/json_text.h"
+#include "analysis/signals/median.h"
 #include "identify/refine/method_settings.h"
 #include "identify/study/fitted_files.h"
 #include "identify/study_file/warnings_json.h"
@@ -107,6 +109,7 @@ Json Ways(const FitResult& fit) {
     }
     ways.push_back({{"by", way.name},
                     {"parts", way.clusters},
+                    {"is_beyond_noise", way.IsSignificant()},
                     {"disagreement", way.degrees > 0 ? NumberOrNull(way.disagreement / way.degrees) : Json(nullptr)},
                     {"shifts_without", shifts},
                     {"rests_on", RestsOn(fit, way)}});
@@ -163,6 +166,14 @@ Json Calibrations(const std::vector<CalibrationEstimate>& estimates) {
   return list;
 }
 
+/// Median over the judged parameters; NaN without any.
+double WiderThanByNoise(const Certainty& certainty) {
+  std::vector<double> shares;
+  for (const Eigen::Index j : certainty.judged)
+    shares.push_back(certainty.HalfWidth(j) / (certainty.covariance.reach_95 * certainty.noise_sd[j]));
+  return shares.empty() ? std::numeric_limits<double>::quiet_NaN() : Median(shares);
+}
+
 Json Intervals(const FitResult& fit) {
   if (!fit.certainty) return nullptr;
   const Certainty& certainty = *fit.certainty;
@@ -178,6 +189,7 @@ Json Intervals(const FitResult& fit) {
     noise_moved[fit.parameters[static_cast<std::size_t>(j)].name] = fit.moved_by_input_noise[j];
   return {{"confidence", certainty.Confidence()},
           {"model_error", certainty.model_error.is_significant},
+          {"wider_than_by_noise", NumberOrNull(WiderThanByNoise(certainty))},
           {"ways", Ways(fit)},
           {"contradictions", Contradictions(fit)},
           {"held", held},

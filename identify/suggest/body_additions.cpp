@@ -10,6 +10,9 @@
 namespace fourpost {
 namespace {
 
+/// Of a body's mass, by which readings of a good rig are off: no part is named that is lighter.
+constexpr double kLeastShare = 1e-3;
+
 /// The heaviest body; -1 where none has a mass.
 int HeaviestOf(const Vehicle& vehicle, const std::vector<double>& values) {
   int heaviest = -1;
@@ -110,6 +113,7 @@ class BodyAdditions {
       return numbers;
     };
     addition.first = 0.05;
+    addition.least = kLeastShare;
     addition.greatest = 0.4;
     const std::vector<double> values = addition.values(addition.first);
     const std::string part = source_.ElementName("part", body_.name, false);
@@ -130,7 +134,7 @@ class BodyAdditions {
     const std::string text = "suggested: " + words_;
     std::vector<NewParameter> parameters = {{.name = source_.ParameterName("m_part", {body_.name}),
                                              .dimension = kMass,
-                                             .lower = 1e-3 * whole_,
+                                             .lower = kLeastShare * whole_,
                                              .upper = 0.4 * whole_,
                                              .source = text,
                                              .bound_to = "link[" + part + "]/mass"},

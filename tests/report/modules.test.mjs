@@ -114,6 +114,7 @@ describe('the playhead', () => {
 
 const { valuesOf } = await source('packed_columns.js');
 const { compareCells, numberOf } = await source('tables.js');
+const { inPairs, partnerOf } = await source('paired_cards.js');
 const { effectiveNumber, ratioOf, sideOf, squaresOf } = await source('paired.js');
 const { covarianceOf, resolved } = await source('live/resolved.js');
 const { residualsOf } = await source('live/misfit.js');
@@ -123,6 +124,17 @@ const { aligned, followed } = await source('viewer/motion.js');
 const { peaksOf } = await source('bench.js');
 const { errorOf } = await source('damper_map.js');
 const { isNearNode, modeBands } = await source('residuals.js');
+
+describe('channels of two sides', () => {
+  test('stand beside each other, those of the middle last', () => {
+    assert.equal(partnerOf('a_body_FL'), 'a_body_FR');
+    assert.equal(partnerOf('a_left_sill'), 'a_right_sill');
+    assert.equal(partnerOf('a_cg'), null);
+    const named = (...names) => names.map((name) => ({ name }));
+    assert.deepEqual(inPairs(named('a_FL', 'a_cg', 's_FL', 'a_FR', 'a_left_sill', 's_FR')), named('a_FL', 'a_FR', 's_FL', 's_FR', 'a_cg', 'a_left_sill'));
+    assert.equal(inPairs(named('a_cg', 'a_front', 'a_rear')), null);
+  });
+});
 
 describe('packed numbers', () => {
   /** As PackedValues() of the C++ writes them. */

@@ -9,7 +9,7 @@ import { coloured } from './canvas.mjs';
 import { fitted, fourpost, scratch } from './runs.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', 'live', name)).href);
-const { misfitOf, squaresOf } = await source('misfit.js');
+const { misfitOf, movedMisfit, squaresOf } = await source('misfit.js');
 const { asOptions, shareOf, typedValue, valueAt } = await source('setting.js');
 const { named } = await source('whatif.js');
 
@@ -74,10 +74,52 @@ describe('sliders', () => {
     await page.waitForTimeout(500);
     const [, from, to] = /([\d.]+) \u2192 ([\d.]+)/.exec(await page.locator('.whatif .misfit').textContent());
     assert.equal(from, to);
-    // Of the responses alone; the fit weighs static loads and second harmonics as well.
-    assert.ok(Math.abs(from / dataOf(report).result.misfit - 1) < 0.1, from);
+    // Digits shown.
+    assert.ok(Math.abs(from - dataOf(report).result.misfit) < 0.0051, from);
     assert.ok((await coloured(page.locator('#responses canvas').first(), whatIfColour)) > 100);
     assert.deepEqual(page.faults, []);
+    await close(page);
+  });
+
+  test('say their values with units, and which are as fitted', async () => {
+    const page = await opened();
+    assert.match(await slider(page, 'k_front').getAttribute('aria-valuetext'), /^[\d.]+ kN\/m, as fitted$/);
+    await set(page, 'k_front', 75);
+    assert.equal(await slider(page, 'k_front').getAttribute('aria-valuetext'), '75 kN/m');
+    await close(page);
+  });
+
+  test('are opened from the contents and beside the first picture', async () => {
+    for (const [place, width] of [['#contents', 390], ['#contents', 1280], ['#summary', 1280]]) {
+      const page = await open(report, { width });
+      const button = page.locator(`${place} .asking`);
+      const box = await button.boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= width, JSON.stringify(box));
+      await button.click();
+      await page.waitForSelector('.whatif');
+      await page.waitForFunction(() => {
+        const { top, bottom } = document.querySelector('.whatif').getBoundingClientRect();
+        return top < innerHeight && bottom > 0;
+      });
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+      // Again it leads to what is open.
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.locator('#contents .asking').click();
+      assert.equal(await page.locator('.whatif').count(), 1);
+      assert.ok(await page.locator('.whatif input[type=range]').first().evaluate((one) => one === document.activeElement));
+      assert.deepEqual(page.faults, []);
+      await close(page);
+    }
+  });
+
+  test('are on paper with what they say, without what moves them', async () => {
+    const page = await opened();
+    await set(page, 'k_front', 75);
+    await page.emulateMedia({ media: 'print' });
+    assert.ok(await page.locator('.whatif').isVisible());
+    assert.ok(await page.locator('.whatif .misfit').isVisible());
+    assert.ok(await page.locator('.whatif .row[data-parameter=k_front] input.number').isVisible());
+    assert.equal(await page.locator('.whatif input[type=range]:visible, .whatif button:visible').count(), 0);
     await close(page);
   });
 
@@ -238,6 +280,12 @@ describe('what sliders compute', () => {
     assert.ok(Math.abs(sum - (((2.2 * Math.cos(0.1) - 2) / 0.2) ** 2 + ((2.2 * Math.sin(0.1)) / 0.4) ** 2)) < 1e-12);
     assert.equal(misfitOf([{ sum: 8, count: 4 }], 2, 4), 2);
     assert.equal(misfitOf([], 2, 4), null);
+  });
+
+  test('a misfit of the whole fit moves by the squares of the responses', () => {
+    assert.equal(movedMisfit(2, { sum: 100 }, { sum: 100 }, 50), 2);
+    // 2^2 * 50 and 50 more.
+    assert.ok(Math.abs(movedMisfit(2, { sum: 100 }, { sum: 150 }, 50) - Math.sqrt(5)) < 1e-12);
   });
 
   test('a slider is even in the value, or in its logarithm where bounds are far apart', () => {

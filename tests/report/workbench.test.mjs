@@ -23,6 +23,8 @@ async function downloaded(page, act) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
+const dataOf = (file) => JSON.parse(readFileSync(file, 'utf8').match(/id="data">(.*?)<\/script>/s)[1]);
+
 /** Numbers of a recording and channel in response.csv. */
 function rowsOf(recording, channel) {
   const [names, ...rows] = readFileSync(join(run, 'response.csv'), 'utf8').trim().split('\n').map((row) => row.split(','));
@@ -91,6 +93,44 @@ describe('errors', () => {
     const map = await page.locator('#summary .maps').boundingBox();
     assert.ok(map.y + map.height <= verdict.y + 1 && map.y + map.height < 900, 'on the first screen');
     assert.equal(await page.locator('[data-worst]').textContent(), 's_strut_front');
+    await close(page);
+  });
+
+  test('have one worst channel and one misfit, whoever says so', async () => {
+    const page = await open(report);
+    const { overview, result } = dataOf(report);
+    const { name, misfit, place } = overview.worst;
+    const own = result.channels.find((channel) => channel.name === name);
+    assert.deepEqual([own.misfit, own.worst], [misfit, place]);
+    assert.ok(result.channels.every((channel) => channel.misfit <= misfit));
+    const two = (value) => (value < 9.95 ? value.toFixed(1) : value.toFixed(0));
+    const tile = await page.locator('.tile', { has: page.locator('[data-worst]') }).textContent();
+    assert.match(tile, new RegExp(`${name}.*${two(misfit)} times noise.*most in ${place.recording} at ${place.band_Hz[0]}\u2013${place.band_Hz[1]} Hz`));
+    const verdict = await page.locator('.verdict').textContent();
+    assert.ok(verdict.includes(`Worst channel: ${name}, ${two(misfit)} times`) && verdict.includes(`(${two(place.misfit)} times there)`), verdict);
+    assert.ok(verdict.includes(`Residuals are ${two(result.misfit)} times`) && (await page.locator('.tile b').nth(1).textContent()) === two(result.misfit));
+    assert.ok((await page.locator('dd', { hasText: /^Poor:/ }).textContent()).startsWith(`Poor: ${name} (${two(misfit)} times`));
+    assert.equal(await page.locator('.maps .worst').count(), 1);
+    // The largest cell of its row in the tables of residuals, of all recordings.
+    const cells = page.locator('#residuals tbody tr', { has: page.locator('th code', { hasText: new RegExp(`^${name}$`) }) }).locator('td:not(.unfitted) button');
+    const values = (await cells.allTextContents()).map(parseFloat);
+    assert.ok(Math.abs(Math.max(...values) - place.misfit) < (place.misfit < 9.95 ? 0.06 : 0.6), `${values} ${place.misfit}`);
+    await close(page);
+  });
+
+  test('are read by keys, cell by cell, and lead to the curve', async () => {
+    const page = await open(report);
+    const map = page.locator('#summary .maps svg').nth(1);
+    await map.focus();
+    const said = page.locator('#summary .maps .said').nth(1);
+    assert.match(await said.textContent(), /^a_body_front in pitch, 0\.5 Hz: [\d.]+ sd$/);
+    for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp', 'End']) await page.keyboard.press(key);
+    assert.match(await said.textContent(), /^a_body_rear in pitch, 1[12][.\d]* Hz/);
+    await page.keyboard.press('Enter');
+    await page.locator('#responses .chart.found[data-channel="a_body_rear"]').waitFor();
+    assert.equal(await page.locator('#responses .group[aria-label=recording] button[aria-pressed=true]').textContent(), 'pitch');
+    assert.equal(await page.locator('#summary .maps [tabindex]').count(), 2, 'one stop a map');
+    assert.deepEqual(page.faults, []);
     await close(page);
   });
 });
@@ -429,7 +469,19 @@ describe('a comparison', () => {
     assert.equal(await page.locator('#errors caption').textContent(), `${worse} better than model2, ${better} worse, ${alike} that cannot be distinguished.`);
     assert.equal(await page.locator('#errors b').count(), 0, 'nothing is bold');
     assert.ok((await page.locator('#parameters .lanes .interval').count()) > 4);
-    assert.match(await page.locator('#parameters .note').first().textContent(), /contradict/);
+    assert.match(await page.locator('#parameters .note').first().textContent(), /all on one scale from .*contradict/);
+    // The numbers of each bar stand beside it.
+    assert.match(await page.locator('.agreement tbody tr').first().locator('td.n').first().textContent(), /^[\d\u2009.]+ \([\d\u2009.]+ \u2026 [\d\u2009.]+\)$/);
+    // A change of as many per cent is as long in every row.
+    const scales = await page.locator('.agreement tbody tr').evaluateAll((rows) =>
+      rows.flatMap((row) => {
+        const dots = [...row.querySelectorAll('.lanes .value')].map((dot) => parseFloat(dot.style.left));
+        const values = [...row.querySelectorAll('td.n')].map((cell) => parseFloat(cell.textContent.replaceAll('\u2009', '')));
+        const change = values[1] / values[0] - 1;
+        return Math.abs(change) > 0.05 && dots[1] > 1 && dots[1] < 99 ? [(dots[1] - dots[0]) / change] : [];
+      }),
+    );
+    assert.ok(scales.length > 2 && Math.max(...scales) < 1.03 * Math.min(...scales), `${scales}`);
     assert.deepEqual(page.faults, []);
     assert.deepEqual(await faultsOf(page), []);
     await close(page);

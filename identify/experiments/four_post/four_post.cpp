@@ -241,6 +241,9 @@ std::vector<OctaveDiscrepancy> FourPost::AddFitted(const Subject& subject, const
   const std::vector<FrequencyResponse> fitted = ModelledResponses(model, vehicle.sensors, in_band);
   std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, fitted);
   AddDeviations(in_band, fitted, plan.model_error, misfits);
+  for (ChannelMisfit& misfit : misfits)
+    misfit.worst = WorstOctaveOf(misfit.name, in_band, fitted, plan.model_error,
+                                 {.lower_Hz = plan.band_lower_Hz, .upper_Hz = plan.band_upper_Hz});
   const std::vector<ChannelMisfit> by_recording = RecordingMisfits(in_band, fitted);
   const std::vector<OctaveDiscrepancy> discrepancies = ResponseDiscrepancies(in_band, fitted);
   results.json.update({{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},

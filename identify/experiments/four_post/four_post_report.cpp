@@ -131,8 +131,8 @@ class ResponseData : public ExperimentData {
 
   ReportRemarks Remarks() const override {
     const nlohmann::json audit = result_.value("audit", nlohmann::json());
-    const bool is_cleared = !ListAt(audit, "resolutions").empty() && ListAt(audit, "suspicions").empty();
-    ReportRemarks remarks = ResponseRemarks(channels_, is_cleared);
+    ReportRemarks remarks = ResponseRemarks(channels_);
+    remarks.is_wiring_cleared = !ListAt(audit, "resolutions").empty() && ListAt(audit, "suspicions").empty();
     remarks.modelled = ListAt(result_, "responses");
     remarks.missing_force = MissingForceRemark(result_);
     return remarks;

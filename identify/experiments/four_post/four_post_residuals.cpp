@@ -318,7 +318,8 @@ Eigen::MatrixXd ByCalibrations(const CondensedVehicle& vehicle, const std::vecto
 /// Every fourth frequency from the lowest on; all where these are few.
 MeasuredRun Coarse(const MeasuredRun& run) {
   constexpr std::size_t kStep = 4;
-  // The full Land Rover keeps 16 of 64 over six octaves, and from all three of its starts they lead to its best optimum.
+  // The full Land Rover keeps 16 of 64 over six octaves, and from all three of its starts they lead to its best
+  // optimum.
   constexpr std::size_t kLeast = 12;
   const std::vector<double>& frequencies = run.excitation.frequency_Hz;
   if (frequencies.size() < kStep * kLeast) return run;
@@ -394,6 +395,11 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
   return block;
 }
 
+double SquaredDeviation(const MeasuredRun& run, const MeasuredChannel& channel, const FrequencyResponse& modelled,
+                        const ModelError& model_error, std::size_t i) {
+  return WhitenedError(run, channel, modelled, model_error, i).squaredNorm();
+}
+
 std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
                                        const ModelError& model_error) {
   std::vector<double> deviations;
@@ -401,7 +407,7 @@ std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyRe
     double squares = 0;
     double count = 0;
     for (std::size_t i = 0; i < channel.response.size(); ++i) {
-      const double square = WhitenedError(run, channel, modelled, model_error, i).squaredNorm();
+      const double square = SquaredDeviation(run, channel, modelled, model_error, i);
       if (!std::isfinite(square)) continue;
       squares += square;
       count += 2;

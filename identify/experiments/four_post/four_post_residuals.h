@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,11 @@ namespace fourpost {
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations = {},
                                 bool integrates = true, std::shared_ptr<KnownAnswers> answers = nullptr);
+
+/// Of one channel of a run at its frequency `i`, the sum of the squares of both residuals of its response; NaN where the
+/// model has no answer.
+double SquaredDeviation(const MeasuredRun& run, const MeasuredChannel& channel, const FrequencyResponse& modelled,
+                        const ModelError& model_error, std::size_t i);
 
 /// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
 /// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.

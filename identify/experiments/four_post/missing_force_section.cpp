@@ -23,8 +23,13 @@ std::string RivalsOf(const nlohmann::json& explanation) {
   return rivals;
 }
 
-/// As a multiple of it.
-constexpr double kBeyondNoise = 1.5;
+/// "near 17.8 Hz (nine tenths of it from 15 to 20 Hz)"; empty where the force is within its noise, or of an older run.
+std::string WhereSeen(const nlohmann::json& missing) {
+  const nlohmann::json left = missing.value("unexplained", nlohmann::json());
+  const double frequency = NumberAt(left, "frequency_Hz");
+  if (!std::isfinite(frequency)) return "";
+  return "near " + ShownShort(frequency, 3) + " Hz (nine tenths of it from " + BandOf(left) + " Hz)";
+}
 
 /// What a fit with it would gain by, where the force alone names nothing; empty of runs that did not look or found
 /// none.
@@ -48,14 +53,14 @@ std::string ExplanationTable(const nlohmann::json& missing, const nlohmann::json
                     html::NumberCell(ShownNumber(NumberAt(one, "explains_percent"), 2)),
                     {html::Escaped(RivalsOf(one)), "wrap"}});
   }
-  if (rows.empty())
-    return NumberAt(missing, "misfit") > kBeyondNoise
-               ? std::string(
-                     "<p>No mechanism is named: none of those tried explains a tenth of the force. What fitted "
-                     "parameters "
-                     "took up of it no longer shows here.") +
-                     InsteadByFit(result) + "</p>\n"
-               : "<p>No mechanism is named: the force is within its noise.</p>\n";
+  if (rows.empty()) {
+    const std::string seen = WhereSeen(missing);
+    return seen.empty() ? "<p>No mechanism is named: the force is within its noise.</p>\n"
+                        : "<p>No mechanism is named: the force lies " + seen +
+                              ", and with the parameters as fitted none of those tried has a tenth of it, at more than "
+                              "one frequency. What fitted parameters took up of it no longer shows here." +
+                              InsteadByFit(result) + "</p>\n";
+  }
   return html::Table(
       {"looks like", "amount", "sd [%]", "band [Hz]", "largest [N]", "explains [%]", "would explain it as well"}, rows);
 }
@@ -109,7 +114,14 @@ std::string MissingForceHtml(const nlohmann::json& result, const std::string* pi
 
 std::string MissingForceRemark(const nlohmann::json& result) {
   const std::vector<nlohmann::json> found = ListAt(result.value("missing_force", nlohmann::json()), "explanations");
-  if (found.empty()) return "";
+  if (found.empty()) {
+    const std::string seen = WhereSeen(result.value("missing_force", nlohmann::json::object()));
+    // What was tried in a fit names it.
+    const bool is_named = !ListAt(result.value("missing", nlohmann::json()), "suggestions").empty();
+    return seen.empty() || is_named
+               ? ""
+               : "In the measured motion the equations lack a force " + seen + "; no mechanism that was tried has it.";
+  }
   const nlohmann::json& first = found.front();
   return "In the measured motion the equations lack a force like " +
          html::Escaped(TextAt(first, "text") + " (" + TextAt(first, "amount_text") + ")") + " from " + BandOf(first) +

@@ -6,6 +6,7 @@
 
 #include "analysis/signals/frequency_response.h"
 #include "identify/experiments/four_post/four_post_data.h"
+#include "identify/experiments/four_post/worst_octave.h"
 #include "identify/residuals/error_share.h"
 
 namespace fourpost {
@@ -26,6 +27,8 @@ struct ChannelMisfit {
   double residual_correlation = 0;
   /// Residuals over noise and stated model error, see ResponseDeviations(), over all recordings.
   std::optional<double> misfit = {};
+  /// Where that is largest.
+  std::optional<WorstOctave> worst = {};
 
   /// The least error that either shows to be possible: more is the model's.
   std::optional<double> Allowed_percent() const;

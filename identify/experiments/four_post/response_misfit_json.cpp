@@ -20,6 +20,10 @@ nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& mis
     entry.update(ErrorsJson(misfit));
     entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
     if (misfit.misfit) entry["misfit"] = NumberOrNull(*misfit.misfit);
+    if (misfit.worst)
+      entry["worst"] = {{"recording", misfit.worst->recording},
+                        {"band_Hz", {misfit.worst->lower_Hz, misfit.worst->upper_Hz}},
+                        {"misfit", misfit.worst->misfit}};
     entry["residual_correlation"] = NumberOrNull(misfit.residual_correlation);
     if (const std::optional<double> allowed = misfit.Allowed_percent()) {
       nlohmann::ordered_json& yardstick = entry["yardstick"];

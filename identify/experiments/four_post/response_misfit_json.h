@@ -11,7 +11,7 @@ namespace fourpost {
 /// "rms_dB", "rms_deg" and "nmse_percent"; what is not finite is null.
 nlohmann::ordered_json ErrorsJson(const ChannelMisfit& misfit);
 
-/// Of each channel its "name", ErrorsJson(), "vaf_percent" and, where it is known, "misfit".
+/// Of each channel its "name", ErrorsJson(), "vaf_percent" and, where they are known, "misfit" and "worst".
 nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& misfits);
 
 /// The same of each "recording" that was kept for validation.

@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// Where the model is farthest from these channels, and what to measure beside them.
-ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels, bool is_wiring_cleared = false);
+/// What to measure beside these channels.
+ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels);
 
 }  // namespace fourpost

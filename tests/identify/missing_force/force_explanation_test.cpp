@@ -174,6 +174,29 @@ TEST(ForceExplanation, NamesAPartOnMounts) {
   ExpectAmount(one, 40, 0.02);
 }
 
+// One wrong reading looks best like a part that resonates there.
+TEST(ForceExplanation, NamesNothingByOneFrequencyButSaysWhereItIs) {
+  ForceRecord record = RecordOf([](const Eigen::Vector2cd&, double) { return Eigen::Vector2cd(0, 0); });
+  ForceSample& wrong = record.samples[25];
+  wrong.force += Eigen::Vector2cd(Complex(300, -200), Complex(0, 100));
+  const ForceExplanations explained = ExplainForce(record);
+  EXPECT_TRUE(explained.found.empty());
+  ASSERT_TRUE(explained.left.has_value());
+  EXPECT_EQ(explained.left->frequency_Hz, wrong.frequency_Hz);
+  EXPECT_EQ(explained.left->lower_Hz, wrong.frequency_Hz);
+  EXPECT_EQ(explained.left->upper_Hz, wrong.frequency_Hz);
+}
+
+// 45 g in a body of 300 kg, undamped: three standard deviations of a reading's gain are a mass of the same size.
+TEST(ForceExplanation, NamesNoPartThatIsNothingBesideItsBody) {
+  const ForceExplanations explained = ExplainForce(RecordOf([](const Eigen::Vector2cd& motion, double w) {
+    const double r = w / (2 * pi * 9);
+    const Complex loss(0, 2 * 1e-3 * r);
+    return Eigen::Vector2cd(0.045 * w * w * motion[0] * (1.0 + loss) / (1 - r * r + loss), 0);
+  }));
+  for (const ForceExplanation& one : explained.found) EXPECT_GE(one.amount, 1e-3 * kBody);
+}
+
 TEST(ForceExplanation, IsNoneOfWhatAFreeParameterCanDo) {
   const ForceExplanations explained = ExplainForce(RecordOf([](const Eigen::Vector2cd& motion, double w) {
     const double amplitude = std::min({0.012, 0.15 / w, 6 / (w * w)});

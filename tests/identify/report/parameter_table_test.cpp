@@ -75,10 +75,28 @@ TEST(IntervalBasis, SaysWhatWouldNarrowTheIntervals) {
         {"ways", {{{"by", "octaves"}}}},
         {"contradictions",
          {{{"parameter", "m"}, {"without", "static loads"}, {"shift", -0.0548}, {"in_sd_of_noise", 15}}}}}}};
-  EXPECT_THAT(IntervalBasisHtml({m}, result),
-              AllOf(HasSubstr("by octaves"), HasSubstr("intervals would be 4.9 times narrower"),
-                    HasSubstr("Measure kt, or free it"), HasSubstr("would change by \u22125.3 %")));
-  EXPECT_EQ(IntervalBasisHtml({Known()}, nlohmann::json::object()), "");
+  EXPECT_THAT(IntervalBasisHtml({m}, result, OverviewOf(result)),
+              AllOf(HasSubstr("Parts of the data (octaves)"), HasSubstr("intervals would be 4.9 times narrower"),
+                    HasSubstr("Measure or free these held parameters: kt for <code>m</code>"),
+                    HasSubstr("would change by \u22125.3 %")));
+  EXPECT_EQ(IntervalBasisHtml({Known()}, nlohmann::json::object(), {}), "");
+}
+
+// One remedy is said once, however many parameters and parts of the data it is for.
+TEST(IntervalBasis, GroupsParametersByWhatWouldNarrowThem) {
+  std::vector<ReportedParameter> parameters(4, Known());
+  constexpr const char* kNames[] = {"m", "k", "c", "kt"};
+  constexpr const char* kLimits[] = {"model: struts", "noise", "model: struts", "model: 8.0 .. 16 Hz"};
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    parameters[i].name = kNames[i];
+    parameters[i].limited_by = kLimits[i];
+  }
+  const std::string html = IntervalBasisHtml(parameters, {{"intervals", {{"model_error", false}}}}, {});
+  EXPECT_THAT(html, AllOf(HasSubstr("struts for <code>m</code>, <code>c</code></li>"),
+                          HasSubstr("8.0 to 16 Hz for <code>kt</code></li>"),
+                          HasSubstr("Measure longer or more often: <code>k</code>")));
+  const std::string remedy = "if they are right, add to the model";
+  EXPECT_EQ(html.find(remedy), html.rfind(remedy));
 }
 
 TEST(ParameterTable, CallsWhatIsAsWideAsItsValueNotDetermined) {

@@ -35,12 +35,12 @@ std::string SummaryOf(const Json& result, const std::vector<ReportedParameter>& 
   ReportRemarks remarks;
   for (const ExperimentReport* experiment : AllExperimentReports())
     AddRemarks(experiment->Read({"", contents, result})->Remarks(), remarks);
-  return SummaryHtml(result, parameters, remarks);
+  return SummaryHtml(result, OverviewOf(result), parameters, remarks);
 }
 
 TEST(Summary, TellsWhatFitsAndWhatDoesNot) {
   const std::string text = SummaryOf(Good(), Known());
-  EXPECT_THAT(text, AllOf(HasSubstr("verdict good"), HasSubstr("The fit converged."), HasSubstr("5 of 5 refinements"),
+  EXPECT_THAT(text, AllOf(HasSubstr("verdict fair"), HasSubstr("The fit converged."), HasSubstr("5 of 5 refinements"),
                           HasSubstr("<code>a_body</code> is within 1 dB"),
                           HasSubstr("Poor: <code>s_strut</code> (3.2 dB, 9.0\u00b0)"),
                           HasSubstr("2 of 2 parameters are determined, 1 of them within 2 %")));
@@ -65,10 +65,10 @@ TEST(Summary, AsksForSmallerDeviationsWhereResidualsAreFarBelow) {
 
 TEST(Summary, ListsWarnings) {
   Json result = Good();
-  EXPECT_THAT(SummaryOf(result, Known()), Not(HasSubstr("Warnings")));
+  EXPECT_THAT(SummaryOf(result, Known()), Not(HasSubstr("warnings")));
   result["warnings"] = {"study.yaml:12: 'a_cg' is off by < 1 m", "static.csv: too heavy"};
-  EXPECT_THAT(SummaryOf(result, Known()),
-              AllOf(HasSubstr("<dt>Warnings</dt>"), HasSubstr("is off by &lt; 1 m</li>"), HasSubstr("too heavy</li>")));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("<summary>2 warnings about inputs and residuals"),
+                                                HasSubstr("is off by &lt; 1 m</li>"), HasSubstr("too heavy</li>")));
 }
 
 TEST(Summary, TellsHistoriesByTheirNmse) {
@@ -87,7 +87,7 @@ TEST(Summary, JudgesChannelsByNoiseAndModelErrorWhereTheRunHoldsThem) {
                                        {"name": "a_hub", "rms_dB": 0.4, "rms_deg": 2, "misfit": 4}])");
   EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("<code>a_cg</code> is within 1.5 times noise and stated model error."),
-                    HasSubstr("Poor: <code>F_post</code> (11 times noise and model error; 1.5 dB, 5.0\u00b0). "),
+                    HasSubstr("Poor: <code>F_post</code> (11 times noise and stated model error; 1.5 dB, 5.0\u00b0). "),
                     HasSubstr("Fair: <code>a_hub</code> (4.0 times")));
 }
 
@@ -136,7 +136,7 @@ TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
   EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("All fitted channels are within tolerance. "), HasSubstr("Nothing is missing")));
   result["misfit"] = 2.2;
-  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("within tolerance, but residuals are 2.2 times what noise"),
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("Residuals are 2.2 times what noise"),
                                                 HasSubstr("fit a richer one"), Not(HasSubstr("Nothing is missing"))));
   // Noise that is larger than stated lacks nothing.
   result["intervals"] = {{"model_error", false}};
@@ -148,6 +148,7 @@ TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
 // Neither explained nor missed.
 TEST(Summary, TellsAMisfitThatIsLittleMore) {
   Json result = Good();
+  result["channels"].erase(1);
   result["misfit"] = 1.4;
   EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("verdict good"), HasSubstr("Residuals are 1.4 times what noise"),
@@ -214,7 +215,7 @@ TEST(Summary, IsPoorWhereTheModelDoesNotExplainItsData) {
                     HasSubstr("<strong>The model does not explain the data:</strong> channel &#39;a&#39; has an NMSE"),
                     Not(HasSubstr("The fit converged"))));
   result["verdict"] = {{"explains_data", true}, {"reasons", Json::array()}};
-  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("class=\"verdict good\""), HasSubstr("The fit converged")));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("class=\"verdict fair\""), HasSubstr("The fit converged")));
 }
 
 TEST(Summary, SaysWhichDerivativesAreNoise) {
@@ -312,6 +313,25 @@ TEST(Summary, TellsOfAnInterruptedRunWhatItHadDone) {
                     Not(HasSubstr("same optimum"))));
   result["starts"] = {{"refined", 3}, {"agreeing", 2}};
   EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("2 of 3 refinements that had ended, each from its own start"));
+}
+
+// The tile, the verdict, the list and the advice.
+TEST(Summary, NamesOneWorstChannelEverywhere) {
+  Json result = Good();
+  result["misfit"] = 2.2;
+  result["channels"] = Json::parse(R"([
+    {"name": "a_cg", "rms_dB": 5.3, "rms_deg": 27, "misfit": 0.7,
+     "worst": {"recording": "bounce", "band_Hz": [8, 12], "misfit": 30}},
+    {"name": "s_strut", "rms_dB": 3.1, "rms_deg": 9, "misfit": 5.9,
+     "worst": {"recording": "pitch", "band_Hz": [0.5, 1], "misfit": 11.2}}])");
+  EXPECT_THAT(
+      SummaryOf(result, Known()),
+      AllOf(HasSubstr("data-worst=\"s_strut\""), HasSubstr("most in pitch at 0.5\u20131 Hz"),
+            HasSubstr("Worst channel: <code>s_strut</code>, 5.9 times noise and stated model error; most of it in "
+                      "<code>pitch</code> from 0.5 to 1 Hz (11 times there)."),
+            HasSubstr("Poor: <code>s_strut</code> (5.9 times noise and stated model error; 3.1 dB"),
+            HasSubstr("Check the wiring of <code>s_strut</code>"), HasSubstr("near 0.71 Hz"),
+            Not(HasSubstr("bounce"))));
 }
 
 TEST(Summary, EscapesNames) {

@@ -5,10 +5,13 @@
 namespace fourpost::fit_text_test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string TextOf(const FitResult& fit) { return FitText(fit, {}, {}, "", nullptr); }
+std::string TextOf(const FitResult& fit, const FitOverview& overview = {}) {
+  return FitText(fit, overview, {}, {}, "", nullptr);
+}
 
 TEST(FitText, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
   FitResult fit;
@@ -36,30 +39,30 @@ TEST(FitText, MarksEndsThatAreCutAtABound) {
   EXPECT_THAT(TextOf(fit), HasSubstr("not determined, interval cut at both bounds"));
 }
 
-TEST(FitText, AsksForSmallerDeviationsWhereResidualsAreFarBelow) {
+TEST(FitText, SpeaksInTheWordsOfTheOverview) {
   FitResult fit;
   fit.covariance.emplace();
-  fit.covariance->rank = 1;
-  fit.residual_count = 101;
-  fit.data_squares = 100 * 0.25 * 0.25;
-  EXPECT_THAT(TextOf(fit), HasSubstr("state smaller ones, such as 'model_error'"));
-  fit.data_squares = 100 * 0.35 * 0.35;
-  EXPECT_THAT(TextOf(fit), Not(HasSubstr("state smaller ones")));
+  const FitOverview overview{.verdict = "fair",
+                             .misfit = 2.17,
+                             .explained = Explained::kNo,
+                             .channels = {{.name = "s", .misfit = 5.88, .worst = WorstPlace{"pitch", 0.5, 1, 11.2}}},
+                             .disagree = {"octaves"},
+                             .disagreement = {62.3},
+                             .wider_than_by_noise = 4.8};
+  EXPECT_THAT(TextOf(fit, overview),
+              AllOf(HasSubstr("Fit: fair. Residuals are 2.2 times what noise and the stated model error explain"),
+                    HasSubstr("Worst channel: 's', 5.9 times noise and stated model error; most of it in 'pitch' from "
+                              "0.5 to 1 Hz (11 times there).\n"),
+                    HasSubstr("Parts of the data (octaves) ask for different parameters, beyond noise;"),
+                    HasSubstr("between octaves 62 times as much"), HasSubstr("would be 4.8 times narrower")));
 }
 
 TEST(FitText, LeavesTheModelAloneWhereTheStatedErrorExplainsThatPartsDisagree) {
-  FitResult fit;
-  fit.covariance.emplace();
-  fit.covariance->rank = 1;
-  fit.certainty.emplace();
-  fit.certainty->model_error.is_significant = true;
-  fit.certainty->judged = {0};
-  fit.certainty->noise_sd = fit.certainty->total_sd = Eigen::VectorXd::Ones(1);
-  fit.residual_count = 101;
-  fit.data_squares = 100 * 0.25 * 0.25;
-  EXPECT_THAT(TextOf(fit), AllOf(HasSubstr("by no more than the stated model error"), Not(HasSubstr("lacks"))));
-  fit.data_squares = 100 * 1.5 * 1.5;
-  EXPECT_THAT(TextOf(fit), HasSubstr("the model lacks something"));
+  FitOverview overview{.misfit = 0.5, .explained = Explained::kYes, .disagree = {"octaves"}, .disagreement = {3}};
+  EXPECT_THAT(TextOf({}, overview),
+              AllOf(HasSubstr("by no more than the stated model error"), Not(HasSubstr("lacks"))));
+  overview.explained = Explained::kNearly;
+  EXPECT_THAT(TextOf({}, overview), HasSubstr("model lacks something"));
 }
 
 }  // namespace

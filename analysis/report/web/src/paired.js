@@ -112,29 +112,58 @@ export function drawComparedErrors(place, { comparison: { runs: names, bands, re
 /** Whether no value lies in both intervals. */
 const areApart = (a, b) => a.lower != null && b.lower != null && (a.lower > b.upper || b.lower > a.upper);
 
-/** Parameters of the runs with their intervals, each on a scale of its own; those that contradict each other are named. */
+/** Where all numbers of a parameter are positive, changes of the first run's value, in which parameters compare; else null. */
+const changesOf = (ends, first) => (ends.every((number) => number > 0) ? (value) => value / first - 1 : null);
+
+/** Beyond it an interval is cut, with an arrow. */
+const widestChange = 1;
+
+/** Parameters of the runs with their intervals; positive ones as changes of the first run's, all on one scale. */
 export function drawComparedParameters(place, { comparison: { runs: names, parameters } }) {
   if (!parameters?.length) return;
-  const rows = parameters.map(({ name, unit, runs }) => {
-    const ends = runs.flatMap(({ value, lower, upper }) => [value, lower, upper]).filter((number) => Number.isFinite(number));
+  const known = parameters.map((parameter) => {
+    const ends = parameter.runs.flatMap(({ value, lower, upper }) => [value, lower, upper]).filter((number) => Number.isFinite(number));
+    return { ...parameter, ends, change: changesOf(ends, parameter.runs[0].value) };
+  });
+  const changes = known.flatMap(({ ends, change }) => (change ? ends.map((end) => Math.abs(change(end))) : []));
+  const reach = Math.min(widestChange, Math.max(0.01, ...changes));
+  const rows = known.map(({ name, unit, runs, ends, change }) => {
     const [low, high] = [Math.min(...ends), Math.max(...ends)];
-    const at = (value) => `${(high > low ? 4 + (92 * (value - low)) / (high - low) : 50).toFixed(2)}%`;
+    const share = change ? (value) => 0.5 + change(value) / (2 * reach) : (value) => (high > low ? 0.04 + (0.92 * (value - low)) / (high - low) : 0.5);
+    const at = (value) => `${(100 * Math.min(1, Math.max(0, share(value)))).toFixed(2)}%`;
     const apart = runs.flatMap((a, i) => runs.slice(i + 1).filter((b) => areApart(a, b)).map((b) => `${names[a.run]} and ${names[b.run]}`));
-    const marks = runs.flatMap(({ run, value, lower, upper }, i) => {
+    const words = ({ value, lower, upper }) => `${shown(value, 4)}${lower == null ? '' : ` (${shown(lower, 4)} \u2026 ${shown(upper, 4)})`}`;
+    const marks = runs.flatMap((one, i) => {
+      const { run, value, lower, upper } = one;
       const top = `${(100 * (i + 1)) / (runs.length + 1)}%`;
       const colour = `var(--${runLine(run).colour})`;
-      const title = `${names[run]}: ${shown(value, 4)}${lower == null ? '' : ` (${shown(lower, 4)} \u2026 ${shown(upper, 4)})`} ${unit}`;
+      const title = `${names[run]}: ${words(one)} ${unit}`;
+      const cut = lower == null ? '' : `${share(lower) < 0 ? ' below' : ''}${share(upper) > 1 ? ' above' : ''}`;
       return [
-        lower == null ? null : el('i', { class: 'interval', title, style: { top, left: at(lower), width: `calc(${at(upper)} - ${at(lower)})`, background: colour } }),
+        lower == null ? null : el('i', { class: `interval${cut}`, title, style: { top, left: at(lower), width: `calc(${at(upper)} - ${at(lower)})`, background: colour, color: colour } }),
         el('i', { class: 'value', title, style: { top, left: at(value), background: colour } }),
       ];
     });
-    return el('tr', {}, el('td', {}, el('code', {}, name)), el('td', {}, el('span', { class: 'bar wide lanes', style: { height: `${Math.max(14, 10 * runs.length + 4)}px` } }, ...marks)), el('td', { class: 'remark' }, apart.length ? `contradict: ${apart.join(', ')}` : ''));
+    const numbers = names.map((_, run) => {
+      const one = runs.find((other) => other.run === run);
+      return el('td', { class: 'n' }, one ? words(one) : '');
+    });
+    return el(
+      'tr',
+      {},
+      el('td', {}, el('code', {}, name)),
+      ...numbers,
+      el('td', {}, unit === '1' ? '' : unit.replace('^2', '\u00b2').replaceAll('*', '\u00b7')),
+      el('td', { class: 'lanes' }, el('span', { class: `bar wide lanes${change ? '' : ' own'}`, style: { height: `${Math.max(14, 10 * runs.length + 4)}px` } }, ...marks)),
+      el('td', { class: 'remark' }, apart.length ? `contradict: ${apart.join(', ')}` : ''),
+    );
   });
   const contradicting = rows.filter((row) => row.lastChild.textContent).length;
+  const percent = fixed(100 * reach, reach < 0.1 ? 1 : 0);
+  const own = known.some(({ change }) => !change) ? ' Those with values of both signs are on a scale of their own (dashed).' : '';
   place.append(
-    el('p', { class: 'note' }, `Values and intervals, each parameter on a scale of its own. ${contradicting ? `${contradicting} of ${rows.length} contradict each other: their intervals have no value in common.` : 'No intervals contradict each other.'}`),
+    el('p', { class: 'note' }, `Values and intervals; bars: change from the value of ${names[0]}, all on one scale from \u2212${percent} to +${percent} %.${own} ${contradicting ? `${contradicting} of ${rows.length} contradict each other: their intervals have no value in common.` : 'No intervals contradict each other.'}`),
     el('div', { class: 'legend' }, ...names.map((name, run) => el('span', {}, el('i', { class: 'dot', style: { color: `var(--${runLine(run).colour})` } }), name))),
-    el('div', { class: 'table agreement' }, el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'parameter'), el('th', { scope: 'col' }, 'values'), el('th', { scope: 'col' }, 'contradictions'))), el('tbody', {}, ...rows))),
+    el('div', { class: 'table agreement' }, el('table', {}, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'parameter'), ...names.map((name) => el('th', { class: 'n', scope: 'col' }, name)), el('th', { scope: 'col' }, 'unit'), el('th', { scope: 'col' }, `\u2212${percent} % \u2026 +${percent} %`), el('th', { scope: 'col' }, 'contradictions'))), el('tbody', {}, ...rows))),
   );
 }

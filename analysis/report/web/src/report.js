@@ -1,6 +1,6 @@
 import { keepAddress } from './address.js';
 import { el } from './dom.js';
-import { startTheme } from './theme.js';
+import { onPaper, startTheme } from './theme.js';
 import { drawBench } from './bench.js';
 import { drawAgreement, drawConvergence } from './convergence.js';
 import { drawComparedBench, drawComparedHistories, drawComparedResponses } from './compared.js';
@@ -8,6 +8,8 @@ import { drawCorrelation } from './correlation.js';
 import { drawCurves } from './curves.js';
 import { drawComparedErrors, drawComparedParameters } from './paired.js';
 import { drawHistories } from './histories.js';
+import { asking } from './live/asking.js';
+import { canFollow } from './live/whatif.js';
 import { nameFit } from './line_name.js';
 import { drawOverview } from './overview.js';
 import { drawPoles } from './poles.js';
@@ -54,6 +56,10 @@ function drawContents() {
   const nav = document.getElementById('contents');
   nav.setAttribute('aria-label', 'contents');
   nav.append(list);
+  if (canFollow(data) && document.querySelector('.opener')) {
+    list.className = 'beside-asking';
+    nav.append(asking());
+  }
   let marked = null;
   const mark = () => {
     let here = null;
@@ -94,10 +100,33 @@ async function draw(place) {
   }
 }
 
+/** Terms that the page explains say what they mean where the pointer rests on them. */
+function explainTerms() {
+  for (const term of document.querySelectorAll('.terms dt')) {
+    const word = term.textContent;
+    for (const cell of term.closest('section').querySelectorAll('th, td:nth-child(2)'))
+      if (!cell.title && new RegExp(`(^|\\W)${word}(\\W|$)`).test(cell.textContent.replaceAll('\u00a0', ' '))) {
+        cell.title = `${word}: ${term.nextElementSibling.textContent}`;
+        cell.classList.add('explained');
+      }
+  }
+}
+
+/** On paper nothing is folded. */
+function unfoldOnPaper() {
+  let shut = [];
+  onPaper((isOn) => {
+    if (isOn) shut = [...document.querySelectorAll('details.folded:not([open])')];
+    for (const details of shut) details.open = isOn;
+  });
+}
+
 startTheme();
+unfoldOnPaper();
 Promise.all([...document.querySelectorAll('[data-draw]')].map(draw)).then(() => {
   removeEmpty();
   readTables();
+  explainTerms();
   saveStills();
   drawContents();
   keepAddress();

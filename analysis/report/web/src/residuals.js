@@ -65,11 +65,11 @@ export function errorOver(channel, part, band, model) {
   return rms(numbers(rowsOf(channel, part, band).map((i) => relativeError(channel, i, model))));
 }
 
-/** Root mean square of the residuals [sd] of a weighed channel over a part of the band; null where there is none. */
+/** Root mean square of the residuals [sd] of gain and phase of a weighed channel over a part of the band, as the program has them in its misfits of channels; null where there is none. */
 export function residualOver(channel, part, band, model) {
   const answer = { gain: channel[`gain_${model}`] ?? [], phase: channel[`phase_${model}`] ?? [], mean: channel[`mean_${model}`] };
-  const residuals = residualsOf(channel, answer, channel.error, channel.loudest);
-  return rms(numbers(rowsOf(channel, part, band).flatMap((i) => Object.values(residuals).map((list) => list[i]))));
+  const { along, across } = residualsOf(channel, answer, channel.error, channel.loudest);
+  return rms(numbers(rowsOf(channel, part, band).flatMap((i) => [along[i], across[i]])));
 }
 
 /** Whether a channel moves so little there, beside others of its unit, that it is next to a node. */
@@ -111,30 +111,19 @@ function table(recording, channels, parts, band, state) {
   );
 }
 
-/** The summary's worst channel by its residuals where they have a size, and where it is worst; its link leads there. */
-function markWorst(channels, parts, band, isWeighed) {
+/** The summary's worst channel leads to where the program found it worst. */
+function linkWorst({ overview }) {
   const link = document.querySelector('[data-worst]');
-  if (!link) return;
-  const of = isWeighed ? residualOver : errorOver;
-  const cells = channels
-    .filter(({ name }) => isWeighed || name === link.dataset.worst)
-    .flatMap((channel) => parts.filter(({ fitted }) => fitted).map((part) => ({ channel, part, error: of(channel, part, band, 'modelled') ?? 0 })));
-  if (!cells.length) return;
-  const { channel, part, error } = cells.reduce((worst, cell) => (cell.error > worst.error ? cell : worst));
-  const note = link.closest('.tile').lastElementChild;
-  if (isWeighed) {
-    link.replaceChildren(el('code', {}, channel.name));
-    note.textContent = `${measures.sd.text(error)} times noise and stated model error`;
-  }
-  note.append(`, worst at ${shown(part.low, 3)}\u2013${shown(part.high, 3)} Hz in ${channel.recording}`);
+  const place = overview?.worst?.place;
+  if (!link || !place) return;
   link.addEventListener('click', (event) => {
     event.preventDefault();
-    focus({ recording: channel.recording, channel: channel.name, low: part.low, high: part.high });
+    focus({ recording: place.recording, channel: overview.worst.name, low: place.band_Hz[0], high: place.band_Hz[1] });
   });
 }
 
 const notes = {
-  sd: 'Root mean square of the residuals in standard deviations, of noise and stated model error, gain, phase and mean offset together: about 1 where the model explains the data.',
+  sd: 'Root mean square of the residuals of gain and phase in standard deviations, of noise and stated model error: about 1 where the model explains the data. A channel\u2019s misfit in the summary is that of its whole row, over all recordings.',
   percent: 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together.',
 };
 const divisions = { octave: 'By octave, split at the limits of the fitted band.', mode: 'By mode, up to half way to its neighbours and half an octave at most.' };
@@ -173,5 +162,5 @@ export function drawResiduals(place, data) {
     tables,
   );
   redraw();
-  markWorst(channels, octaves, band, hasSd);
+  linkWorst(data);
 }

@@ -10,6 +10,7 @@ import { onAnswer } from './live/answers.js';
 import { canFollow, openWhatIf } from './live/whatif.js';
 import { listOf } from './number.js';
 import { fittedBand } from './residuals.js';
+import { inPairs } from './paired_cards.js';
 import { isWeighed, weighed } from './residual_strip.js';
 import { card } from './response_card.js';
 import { onPaper, runLine } from './theme.js';
@@ -29,9 +30,18 @@ export function zeroDecibel(units) {
   return `0 dB: ${[...new Set(units)].map((unit) => known[unit] ?? `1 ${readable(unit)[1]} per m of its motion`).join(', ')}.`;
 }
 
+/** Left and right of a pair beside each other. */
+function placeIn(charts, cards) {
+  const boxes = cards.map(({ box }) => ({ name: box.dataset.channel, box }));
+  const pairs = inPairs(boxes);
+  charts.classList.toggle('paired', pairs != null);
+  charts.replaceChildren(...(pairs ?? boxes).map(({ box }) => box));
+}
+
 /** The charts of a recording below the others. */
 function printed(name, cards, place) {
-  const charts = el('div', { class: 'charts' }, ...cards.map(({ box }) => box));
+  const charts = el('div', { class: 'charts' });
+  placeIn(charts, cards);
   const part = el('div', {}, el('h3', {}, name), charts);
   place.append(part);
   for (const { draw } of cards) draw();
@@ -66,7 +76,7 @@ export function drawResponses(place, data) {
   const redraw = () => {
     back.hidden = true;
     cards = cardsOf(state.recording);
-    charts.replaceChildren(...cards.map(({ box }) => box));
+    placeIn(charts, cards);
     for (const { draw } of cards) draw();
     if (state.answer) follow(state.answer);
   };

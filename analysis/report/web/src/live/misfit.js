@@ -63,6 +63,12 @@ export function squaresOf(channels, answers, error) {
   return { sum, count };
 }
 
+/**
+ * Misfit of the whole fit where responses have other squares than those of the fit; all else stays as fitted. `degrees`: of
+ * freedom, of all residuals.
+ */
+export const movedMisfit = (whole, fitted, now, degrees) => Math.sqrt(Math.max(0, whole * whole + (now.sum - fitted.sum) / degrees));
+
 /** Root mean square of residuals, with the degrees of freedom that a fit of so many parameters, or none, takes of all residuals. */
 export function misfitOf(parts, parameters, residuals) {
   const sum = parts.reduce((all, part) => all + part.sum, 0);

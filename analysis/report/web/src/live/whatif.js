@@ -3,7 +3,7 @@ import { fit as fitName } from '../line_name.js';
 import { inAddress, putInAddress } from '../address.js';
 import { fixed, shown } from '../number.js';
 import { tellAnswer } from './answers.js';
-import { misfitOf, polar, squaresOf } from './misfit.js';
+import { misfitOf, movedMisfit, polar, squaresOf } from './misfit.js';
 import { asOptions, inSi, rounded, shareOf, typedValue, valueAt } from './setting.js';
 import { linkMotion } from '../viewer/motion.js';
 import { covarianceOf, resolved } from './resolved.js';
@@ -101,10 +101,23 @@ class Car {
     return { responses, modes };
   }
 
-  misfit({ responses }) {
-    if (!responses?.size) return null;
+  squares({ responses }) {
+    const parts = [...(responses?.values() ?? [])].map(({ squares }) => squares);
+    return parts.length ? { sum: parts.reduce((all, { sum }) => all + sum, 0), count: parts.reduce((all, { count }) => all + count, 0) } : null;
+  }
+
+  /** Of the whole fit, which begins at that of its page, where the responses alone move; of the responses as recorded where the fit has calibrated them. */
+  misfit(squares) {
+    if (!squares?.count) return null;
     const { parameters, residuals } = this.data.result;
-    return misfitOf([...responses.values()].map(({ squares }) => squares), parameters.length, residuals);
+    const whole = this.whole();
+    return whole ? movedMisfit(whole, this.fitted, squares, residuals - parameters.length) : misfitOf([squares], parameters.length, residuals);
+  }
+
+  /** Null where the page has none that responses alone would move. */
+  whole() {
+    const { misfit, is_calibrated: isCalibrated } = this.data.overview ?? {};
+    return misfit > 0 && !isCalibrated && this.fitted?.count ? misfit : null;
   }
 }
 
@@ -139,11 +152,20 @@ function row(parameter, change, type) {
   const show = (now, isHeld = false) => {
     box.classList.toggle('held', isHeld);
     slider.value = shareOf(parameter, now);
+    slider.setAttribute('aria-valuetext', `${Number(now.toPrecision(5))} ${unit === '1' ? '' : unit}${now === value ? ', as fitted' : ''}`);
     field.value = Number(now.toPrecision(5));
     box.classList.toggle('changed', now !== value);
   };
   return { box, show };
 }
+
+/** What the figure of the panel is, beside that of the fit. */
+const figureOf = (overview, whole) =>
+  whole
+    ? 'of the whole fit, as above; here only responses move it, loads at rest and recordings over time stay as fitted'
+    : overview?.is_calibrated && overview.misfit
+      ? `of the responses alone and without calibrations; the fit\u2019s misfit of ${shown(overview.misfit, 2)} has its instruments calibrated`
+      : 'of the responses alone';
 
 /** Modes beside those of the fit: "1.26 \u2192 1.31" where a mode moved. */
 function modeRows(modes) {
@@ -183,7 +205,8 @@ export async function openWhatIf(data, shownRecording, shut) {
   let frame = null;
 
   const first = car.at(inSi(parameters, fit));
-  const fitted = car.misfit(first);
+  car.fitted = car.squares(first);
+  const fitted = car.misfit(car.fitted);
   const misfit = el('b', { class: 'misfit' });
   const fault = el('p', { class: 'note', role: 'status' });
   /** What was not taken as it was typed. */
@@ -204,7 +227,7 @@ export async function openWhatIf(data, shownRecording, shut) {
       const now = car.at(si, rests ? undefined : [shownRecording()]);
       fault.textContent = now.responses ? (data.result.responses?.some(({ engine }) => engine === 'full') ? fullGeometry() : '') : car.recordings.length ? hysteretic : '';
       // All recordings together weigh the model; while a slider moves, the one in view.
-      if (rests && now.responses) misfit.textContent = fromFit(car.misfit(now));
+      if (rests && now.responses) misfit.textContent = fromFit(car.misfit(car.squares(now)));
       modes.replaceChildren(...modeRows(now.modes));
       tellAnswer({ ...now, ride: ride.follow(si, rests), rests });
     } catch (error) {
@@ -288,7 +311,7 @@ export async function openWhatIf(data, shownRecording, shut) {
       el('button', { type: 'button', onclick: () => take(fit) }, 'reset'),
       el('button', { type: 'button', onclick: close, 'aria-label': 'close' }, '\u00d7'),
     ),
-    fitted == null ? null : el('p', { class: 'figure' }, 'misfit of responses ', misfit),
+    fitted == null ? null : el('p', { class: 'figure', title: figureOf(data.overview, car.whole()) }, car.whole() ? 'misfit ' : 'misfit of responses as recorded ', misfit),
     fault,
     said,
     covariance

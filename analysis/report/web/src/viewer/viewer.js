@@ -243,6 +243,10 @@ class Viewer {
 
   #moveScrub() {
     this.scrub.value = this.overTime ? this.time : this.isTravel ? this.station : (this.phase * 180) / Math.PI;
+    const { motion } = this.chosen ?? {};
+    this.scrub.setAttribute('aria-valuetext', this.overTime ? `${fixed(this.time, 2)} s` : this.isTravel ? `station ${fixed(this.station + 1, 1)} of ${motion.stations.length}` : `${fixed(Number(this.scrub.value), 0)} degrees`);
+    this.scale.setAttribute('aria-valuetext', `${fixed(this.strength, 2)} times the usual size`);
+    if (this.chosen?.kind === 'response') this.frequency.setAttribute('aria-valuetext', `${shown(motion.frequency_Hz[this.at], 3)} Hz`);
   }
 
   choose(motion) {
