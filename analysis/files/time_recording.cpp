@@ -194,7 +194,7 @@ class RecordReader {
                      {wanted[i].names.front(), std::to_string(lengths[i]), std::to_string(times.size())});
     if (times.size() < 4) return Fault(kTooFewSamples, 0, {std::to_string(times.size())});
     const std::vector<double> steps = StepsOf(times);
-    const double usual = Median(steps);
+    const double usual = UsualStep(steps);
     if (DoStepBack(steps)) return Fault(kTimeDoesNotRise, 0);
     if (!(usual > 0)) {
       const Found fault = FaultOfStanding(times);
@@ -223,6 +223,20 @@ class RecordReader {
 
   /// A sample that comes later than this many usual steps is a gap.
   static constexpr double kJitter = 1.5;
+
+  /// The middle one, or, where times are rounded so much that it is off, the mean of those that are no gaps.
+  static double UsualStep(const std::vector<double>& steps) {
+    constexpr double kOff = 0.01;
+    const double middle = Median(steps);
+    double sum = 0;
+    double count = 0;
+    for (const double step : steps) {
+      if (!(step > 0 && step < kJitter * middle)) continue;
+      sum += step;
+      count += 1;
+    }
+    return count > 0 && std::abs(sum / count - middle) > kOff * middle ? sum / count : middle;
+  }
 
   std::vector<double> OnGrid(const RecordedChannel& channel, const std::vector<double>& times,
                              const std::vector<double>& values, const std::vector<double>& grid, double usual,

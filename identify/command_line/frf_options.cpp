@@ -67,6 +67,21 @@ void AddFilter(CLI::App& app, FrfCommand& command) {
       ->needs(filter);
 }
 
+/// Even times, and bridges over gaps.
+void AddTimes(CLI::App& app, FrfCommand& command) {
+  TimePreparation& times = command.request.preparation.times;
+  app.add_option_function<std::string>(
+      "--bridge",
+      [&](const std::string& text) {
+        if (const auto longest_s = ReadQuantity(text, kTime, "--bridge", command.faults)) times.bridge_s = *longest_s;
+      },
+      "Longest gap, of rows or of single fields, that is bridged by interpolation, e.g. 50ms (default: none)");
+  app.add_option_function<std::string>(
+      "--resample",
+      [&](const std::string& text) { times.rate_Hz = ReadQuantity(text, kFrequency, "--resample", command.faults); },
+      "Rate of even times that all channels are interpolated at, for recordings with jitter, e.g. 500Hz");
+}
+
 }  // namespace
 
 void AddOptions(CLI::App& subcommand, FrfCommand& command) {
@@ -95,6 +110,7 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
           "for each file")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  AddTimes(subcommand, command);
   subcommand.add_option("--reference", command.request.reference,
                         "Post that responses are relative to (default: the first that moves most)");
   subcommand

@@ -85,7 +85,8 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
       has_rows = true;
       table.Add({name, channel.name, channel.of, HowFound(file, channel), StateName(channel.state), channel.why});
     }
-    if (file.is_used)
+    if (file.use == "bench") named += name + ": bench\n";
+    else if (file.is_used)
       named += name + ": " + file.use + "; " + std::to_string(file.matches.size()) + " of " +
                std::to_string(file.matches.size() + file.without_channel.size()) + " sensors have a channel" +
                (file.without_channel.empty() ? ""
@@ -93,7 +94,8 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
                                              : ", not: " + Listed(file.without_channel)) +
                '\n';
   }
-  return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() + "\nnext\n  fourpost fit " +
+  return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() + "\nnext\n  " +
+         (draft.findings.HasErrors() ? "correct what its first lines name\n  " : "") + "fourpost fit " +
          study.string() + " -o run\n";
 }
 

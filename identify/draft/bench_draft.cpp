@@ -19,10 +19,9 @@ std::string Indented(const std::string& lines, const std::string& by) {
 }  // namespace
 
 BenchDraft::Columns BenchDraft::ColumnsOf(const FileReading& reading) {
-  const auto text = [&](const Dimension& dimension) {
-    return SourceText({.channels = {BenchChannel(reading, dimension)}});
-  };
-  return {text(kLength), text(kForce)};
+  SourceChannel force = BenchChannel(reading, kForce);
+  if (reading.has_force_reversed) force.factor = -1;
+  return {SourceText({.channels = {BenchChannel(reading, kLength)}}), SourceText({.channels = {force}})};
 }
 
 std::string BenchDraft::LinesOf(const Columns& own, const Columns& others, const std::string& indent) {

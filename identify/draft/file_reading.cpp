@@ -1,6 +1,7 @@
 #include "identify/draft/file_reading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -9,10 +10,13 @@
 #include "analysis/files/recording_layout.h"
 #include "analysis/files/recording_summary.h"
 #include "analysis/files/static_loads.h"
+#include "analysis/files/time_recording.h"
 #include "analysis/measured_response/measured_response.h"
 #include "analysis/measured_response/posts_by_name.h"
 #include "analysis/text/name_meaning.h"
 #include "analysis/text/named.h"
+#include "identify/study_file/source_recording.h"
+#include "vehicles/bench/recording_check.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -66,8 +70,24 @@ void ReadLoads(FileReading& reading) {
   for (const StaticMeasurement& load : *loads) reading.channels.push_back({load.name, load.dimension});
 }
 
+/// What a post was told to do, where the file has what it did.
+void LeaveOutCommands(FileReading& reading) {
+  std::vector<std::string> lengths;
+  for (const OfferedChannel& channel : reading.channels)
+    if (channel.dimension == kLength) lengths.push_back(channel.name);
+  const std::vector<std::string> commands = PostsByName(lengths).commands;
+  if (commands.empty()) return;
+  std::string names;
+  for (const std::string& command : commands) {
+    names += (names.empty() ? "" : ", ") + command;
+    std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == command; });
+  }
+  reading.missed.push_back("commands of posts are left out, beside channels of how these moved: " + names);
+}
+
 /// Posts by what names say; of one post the only channel that is named as one.
 void MatchPosts(const Vehicle& vehicle, FileReading& reading) {
+  LeaveOutCommands(reading);
   reading.posts = MatchChannels(SoughtPosts(vehicle), reading.channels, HasSides(vehicle));
   if (reading.posts.empty() && vehicle.posts.size() == 1) {
     const auto is_post = [](const OfferedChannel& channel) {
@@ -175,7 +195,7 @@ void AddBeside(const OtherFile& other, FileReading& reading) {
   if (reading.preparation.why_bridged.empty()) reading.preparation.why_bridged = beside.why_bridged;
 }
 
-/// Most channels of motion have far less of it in the last quarter than in the first, where the vehicle was let go.
+/// Most channels of motion have far less of it in the last quarter than in the one in which the vehicle was let go.
 bool ComesToRest(const RecordedTable& table, const FileReading& reading) {
   constexpr double kFarLess = 0.2;
   int moving = 0;
@@ -195,10 +215,12 @@ bool ComesToRest(const RecordedTable& table, const FileReading& reading) {
       const auto count = static_cast<double>(std::max<std::size_t>(1, to - from));
       return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
     };
-    const double first = spread(0, rows / 4);
-    if (first == 0) continue;
+    // It may rest before it is let go.
+    const double loudest =
+        std::max({spread(0, rows / 4), spread(rows / 4, rows / 2), spread(rows / 2, rows - rows / 4)});
+    if (loudest == 0) continue;
     ++moving;
-    if (spread(rows - rows / 4, rows) < kFarLess * first) ++resting;
+    if (spread(rows - rows / 4, rows) < kFarLess * loudest) ++resting;
   }
   return moving > 0 && 2 * resting > moving;
 }
@@ -211,6 +233,18 @@ void ReadAtRestingPosts(const RecordedTable& table, const Vehicle& vehicle, File
       std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == source.name; });
   reading.is_release = reading.actuators.empty() && ComesToRest(table, reading);
   if (!reading.actuators.empty() || reading.is_release) reading.kind = FileReading::Kind::kHistory;
+}
+
+/// Of a damper that would deliver work.
+bool IsForceReversed(const RecordedTable& table, const FileReading& reading) {
+  const std::array<RecordedChannel, 2> wanted = {AsRecorded(BenchChannel(reading, kLength), kLength, "the extension"),
+                                                 AsRecorded(BenchChannel(reading, kForce), kForce, "the tension")};
+  SourceChannel time(reading.preparation.summary.time ? reading.preparation.summary.time->column : "");
+  time.unit = reading.preparation.time_unit;
+  Diagnostics unheard;
+  const std::optional<TimeRecording> recording =
+      ReadTimeRecording(table, wanted, unheard, TimeColumn(time), reading.preparation.times);
+  return recording && IsForceReversed(*recording);
 }
 
 /// Of what is stated of any file what names a channel of this one, or of those beside it.
@@ -251,6 +285,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   if (vehicle.posts.empty()) {
     const bool is_bench = !BenchChannel(reading, kLength).name.empty() && !BenchChannel(reading, kForce).name.empty();
     if (is_bench) reading.kind = FileReading::Kind::kBench;
+    if (is_bench) reading.has_force_reversed = IsForceReversed(table, reading);
     else reading.reason = "no displacement and force of a damper" + WithoutUnit(reading);
     return;
   }
@@ -271,7 +306,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   Diagnostics unheard;
   std::optional<MeasuredResponses> measured = MeasureResponses(request, unheard);
   if (!measured) return;
-  reading.missed = measured->missed;
+  reading.missed.insert(reading.missed.end(), measured->missed.begin(), measured->missed.end());
   if (measured->kind == ExcitationKind::kStepped) reading.kind = FileReading::Kind::kDwells;
   for (MeasuredResponse& response : measured->responses) {
     std::vector<double> shape = ShapeOf(vehicle, reading, *measured, response.shares);

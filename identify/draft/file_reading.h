@@ -41,7 +41,7 @@ struct FileReading {
   /// What is stated in place of the units that the file has.
   std::vector<StatedUnit> units = {};
   std::vector<DraftedMotion> motions = {};
-  /// Of dwells: what of the record is left out.
+  /// What of the record is left out.
   std::vector<std::string> missed = {};
   /// Of what is over time.
   DraftedPreparation preparation = {};
@@ -52,6 +52,8 @@ struct FileReading {
   /// Histories whose posts rest: what drives the vehicle's actuators; or it is let go and comes to rest.
   std::vector<ChannelMatch> actuators = {};
   bool is_release = false;
+  /// Of a bench: the force acts along the motion.
+  bool has_force_reversed = false;
 };
 
 /// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.

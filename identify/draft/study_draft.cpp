@@ -368,8 +368,11 @@ class Drafter {
         text += "# look at: channels of " + name + " are called otherwise than those of " +
                 drafted_[*shared_].path.filename().string() + ", and a study has one set of names for both\n";
     }
-    for (const Diagnostic& item : draft.findings.ByWeight())
-      text += "# look at: " + item.message + " [" + item.id + "]\n";
+    for (const Diagnostic& item : draft.findings.ByWeight()) {
+      // Of a recording; what is at fault in the study itself stands in it.
+      const std::string file = item.place.file == study_.string() ? "" : fs::path(item.place.file).filename().string();
+      text += "# look at: " + (file.empty() ? "" : file + ": ") + item.message + " [" + item.id + "]\n";
+    }
     return text;
   }
 

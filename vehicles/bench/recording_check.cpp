@@ -74,6 +74,23 @@ Signal Rates(const Signal& x, double step) {
   return rates;
 }
 
+/// Mean power that the damper takes [W].
+double PowerOf(const Signal& force, const Signal& rate) {
+  const double mean = Mean(force);
+  double sum = 0;
+  for (std::size_t k = 0; k < force.size(); ++k) sum += (force[k] - mean) * rate[k];
+  return sum / static_cast<double>(force.size());
+}
+
+/// Of the fastest part, where there is one.
+double PhaseOfForce_deg(const Signal& x, const Signal& force, double step_s) {
+  const std::optional<MotionPhase> fastest = PhaseOfFastest(x, force, step_s);
+  return fastest ? fastest->phase_deg : PhaseOf(x, force, step_s).phase_deg;
+}
+
+/// A delay turns the phase bit by bit, the wrong sign by half a turn.
+bool IsReversed(double power_W, double phase_deg) { return power_W < 0 && phase_deg < -45; }
+
 class Checker {
  public:
   Checker(const TimeRecording& recording, double longest_stroke_m, const std::string& file, Diagnostics& diagnostics)
@@ -125,13 +142,7 @@ class Checker {
 
   void Warn(const Finding& kind, const std::vector<std::string>& words) { diagnostics_.Report(kind, {file_}, words); }
 
-  /// Mean power that the damper takes [W].
-  double Power() const {
-    const double mean = Mean(force_);
-    double sum = 0;
-    for (std::size_t k = 0; k < force_.size(); ++k) sum += (force_[k] - mean) * rate_[k];
-    return sum / static_cast<double>(force_.size());
-  }
+  double Power() const { return PowerOf(force_, rate_); }
 
   void CheckStroke() {
     const double span = SpanOf(x_);
@@ -205,9 +216,8 @@ class Checker {
   void CheckWork() {
     const double power = Power();
     const std::optional<MotionPhase> fastest = PhaseOfFastest(x_, force_, recording_.step_s);
-    const double phase_deg = fastest ? fastest->phase_deg : PhaseOf(x_, force_, recording_.step_s).phase_deg;
-    // A delay turns the phase bit by bit, the wrong sign by half a turn.
-    if (power < 0 && phase_deg < -45) return Fault(kForceSign, {ShortNumber(-power) + " W"});
+    const double phase_deg = PhaseOfForce_deg(x_, force_, recording_.step_s);
+    if (IsReversed(power, phase_deg)) return Fault(kForceSign, {ShortNumber(-power) + " W"});
     if (IsSampledWell() && fastest && (phase_deg > 90 + kPhaseSlack_deg || phase_deg < -kPhaseSlack_deg))
       ReportDelay(*fastest);
     CheckSides();
@@ -298,6 +308,13 @@ class Checker {
 };
 
 }  // namespace
+
+bool IsForceReversed(const TimeRecording& recording) {
+  const Signal& x = recording.channels[0];
+  const Signal& force = recording.channels[1];
+  if (TurningPoints(x).size() < 2 || SpanOf(force) == 0) return false;
+  return IsReversed(PowerOf(force, Rates(x, recording.step_s)), PhaseOfForce_deg(x, force, recording.step_s));
+}
 
 bool CheckBenchRecording(const TimeRecording& recording, double longest_stroke_m, const std::string& file,
                          Diagnostics& diagnostics) {

@@ -16,4 +16,7 @@ namespace fourpost {
 bool CheckBenchRecording(const TimeRecording& recording, double longest_stroke_m, const std::string& file,
                          Diagnostics& diagnostics);
 
+/// Whether the force acts along the motion, so that the damper would deliver work: by its sign, not by a delay.
+bool IsForceReversed(const TimeRecording& recording);
+
 }  // namespace fourpost

@@ -217,7 +217,26 @@ std::optional<ExperimentResults> DamperBench::Respond(const Subject& subject, st
 }
 
 bool DamperBench::Reads(const RecordedTable& table) const {
-  return table.FindColumn(plan.displacement.name).has_value() && table.FindColumn(plan.force.name).has_value();
+  const auto has = [&](const SourceChannel& displacement, const SourceChannel& force) {
+    return table.FindColumn(displacement.name).has_value() && table.FindColumn(force.name).has_value();
+  };
+  const auto has_own = [&](const BenchStudy::Recording& one) {
+    return has(one.displacement.value_or(plan.displacement), one.force.value_or(plan.force));
+  };
+  return has(plan.displacement, plan.force) || std::any_of(plan.recordings.begin(), plan.recordings.end(), has_own) ||
+         std::any_of(plan.validation.begin(), plan.validation.end(), has_own);
+}
+
+/// With all that the study says of this file, if it does.
+BenchStudy::Recording DamperBench::AsStated(const PredictionRequest& request) const {
+  BenchStudy::Recording recording = {.name = request.recording.stem().string(), .file = request.recording};
+  for (const std::vector<BenchStudy::Recording>* const stated : {&plan.recordings, &plan.validation})
+    for (const BenchStudy::Recording& one : *stated) {
+      std::error_code none;
+      if (std::filesystem::equivalent(one.file, request.recording, none)) recording = one;
+    }
+  if (request.setting) recording.setting = request.setting;
+  return recording;
 }
 
 std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, const PredictionRequest& request,
@@ -232,8 +251,7 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   refuse(!request.noise_from.empty(), "--noise-from");
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
   DamperBench other = *this;
-  other.plan.recordings = {
-      {.name = request.recording.stem().string(), .file = request.recording, .setting = request.setting}};
+  other.plan.recordings = {AsStated(request)};
   other.plan.validation.clear();
   other.Load(subject, results.findings);
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
