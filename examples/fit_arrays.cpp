@@ -4,8 +4,8 @@
 #include <string>
 
 #include <fourpost/fit.h>
-#include <fourpost/read.h>
 #include <fourpost/response.h>
+#include <fourpost/vehicle.h>
 
 namespace fp = fourpost::api;
 

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <string>
 
-#include <fourpost/read.h>
 #include <fourpost/response.h>
+#include <fourpost/vehicle.h>
 
 namespace fp = fourpost::api;
 

@@ -6,7 +6,9 @@ if(NOT EXISTS ${PROGRAM})
   return()
 endif()
 
-if(NOT EXISTS ${LIST} OR ${PROGRAM} IS_NEWER_THAN ${LIST} OR ${CMAKE_CURRENT_LIST_FILE} IS_NEWER_THAN ${LIST})
+# The parent names SLOW.
+if(NOT EXISTS ${LIST} OR ${PROGRAM} IS_NEWER_THAN ${LIST} OR ${CMAKE_CURRENT_LIST_FILE} IS_NEWER_THAN ${LIST}
+    OR ${CMAKE_PARENT_LIST_FILE} IS_NEWER_THAN ${LIST})
   function(suites_of filter lines)
     execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_filter=${filter}
       OUTPUT_VARIABLE text RESULT_VARIABLE failure)

@@ -1,4 +1,4 @@
-#include <fourpost/batch.h>
+#include <fourpost/response.h>
 
 #include <algorithm>
 

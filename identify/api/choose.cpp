@@ -1,4 +1,4 @@
-#include <fourpost/choose.h>
+#include <fourpost/run.h>
 
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/json_text.h"

@@ -1,4 +1,4 @@
-#include <fourpost/draws.h>
+#include <fourpost/run.h>
 
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"

@@ -1,4 +1,4 @@
-#include <fourpost/predict.h>
+#include <fourpost/run.h>
 
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"

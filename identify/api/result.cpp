@@ -1,4 +1,4 @@
-#include <fourpost/result.h>
+#include <fourpost/fit.h>
 
 #include <fstream>
 #include <iterator>

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <fourpost/result.h>
+#include <fourpost/fit.h>
 
 namespace fourpost::api {
 

@@ -1,6 +1,5 @@
 #include <filesystem>
 
-#include <fourpost/read.h>
 #include <fourpost/units.h>
 #include <fourpost/vehicle.h>
 

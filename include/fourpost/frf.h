@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include <fourpost/diagnostics.h>
-#include <fourpost/experiment.h>
+#include <fourpost/study.h>
 
 namespace fourpost::api {
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <fourpost/diagnostics.h>
 
 namespace fourpost {
 struct Vehicle;
@@ -54,5 +57,12 @@ class Vehicle {
 
   std::shared_ptr<const fourpost::Vehicle> description_;
 };
+
+/// Reads a vehicle file, URDF with the tags of urdf/README.md. Adds warnings to `warnings` where given. Throws Error
+/// with all faults of the file.
+Vehicle ReadVehicle(const std::filesystem::path& file, std::vector<Finding>* warnings = nullptr);
+
+/// What is plausible of a vehicle, as `fourpost check` warns: odd numbers, places, motion ratios, loads.
+std::vector<Finding> CheckVehicle(const Vehicle& vehicle);
 
 }  // namespace fourpost::api

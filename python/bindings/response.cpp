@@ -1,7 +1,6 @@
 #include <complex>
 #include <map>
 
-#include <fourpost/batch.h>
 #include <fourpost/response.h>
 
 #include "python/bindings/bindings.h"

@@ -1,7 +1,5 @@
-#include <fourpost/choose.h>
-#include <fourpost/draws.h>
-#include <fourpost/predict.h>
-#include <fourpost/result.h>
+#include <fourpost/fit.h>
+#include <fourpost/run.h>
 
 #include "python/bindings/bindings.h"
 #include "python/bindings/calls.h"

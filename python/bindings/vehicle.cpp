@@ -1,4 +1,3 @@
-#include <fourpost/read.h>
 #include <fourpost/units.h>
 #include <fourpost/vehicle.h>
 

@@ -8,17 +8,14 @@
 
 #include <gmock/gmock.h>
 
-#include <fourpost/batch.h>
-#include <fourpost/choose.h>
-#include <fourpost/draws.h>
 #include <fourpost/fit.h>
 #include <fourpost/objective.h>
-#include <fourpost/predict.h>
-#include <fourpost/read.h>
 #include <fourpost/response.h>
+#include <fourpost/run.h>
 #include <fourpost/search.h>
 #include <fourpost/simulate.h>
 #include <fourpost/units.h>
+#include <fourpost/vehicle.h>
 #include <fourpost/version.h>
 
 #include "tests/temporary_folder.h"

@@ -10,7 +10,7 @@
 #include <fourpost/frf.h>
 #include <fourpost/info.h>
 #include <fourpost/modes.h>
-#include <fourpost/read.h>
+#include <fourpost/vehicle.h>
 
 namespace fourpost::api::inspection_test {
 namespace {

@@ -1,8 +1,8 @@
 // Responses of many cars in one pass, with which tests/python/batch_benchmark.py compares the Python module.
 #include <benchmark/benchmark.h>
 
-#include <fourpost/batch.h>
-#include <fourpost/read.h>
+#include <fourpost/response.h>
+#include <fourpost/vehicle.h>
 
 namespace fp = fourpost::api;
 

@@ -99,8 +99,10 @@ def places(words):
         for word in words:
             for kind in set(word.layers) & set(layers):
                 layer = layers[kind]
-                spans = [match.span() for exception in word.exceptions for match in exception.finditer(layer)]
-                for match in word.pattern.finditer(layer):
+                matches = list(word.pattern.finditer(layer))
+                # Few layers have the word, so that few need its exceptions.
+                spans = [match.span() for exception in word.exceptions if matches for match in exception.finditer(layer)]
+                for match in matches:
                     if not any(begin <= match.start() and match.end() <= end for begin, end in spans):
                         line = layer.count("\n", 0, match.start()) + 1
                         yield Place(file, line, word.name, kind)

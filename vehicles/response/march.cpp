@@ -183,7 +183,7 @@ struct Sine {
   double frequency_Hz;
   Eigen::ArrayXd imposed;
   PostMotion posts;
-  /// At each reading; throws where the march is to end.
+  /// At each reading; throws where the integration is to end.
   std::function<void()> ask;
 
   SteadyState Begin(int samples_per_cycle) const {
