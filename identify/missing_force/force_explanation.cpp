@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -96,10 +98,11 @@ BySample ByFrequency(const ForceRecord& record, const std::vector<double>& of_sa
   return joined;
 }
 
-double LargestOf(const BySample& by_frequency) {
-  double largest = 0;
-  for (const auto& [frequency, number] : by_frequency) largest = std::max(largest, number);
-  return largest;
+/// Frequency of the largest.
+double PeakOf(const BySample& by_frequency) {
+  return std::max_element(by_frequency.begin(), by_frequency.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 /// Nine tenths of the sum lie between them; what is negative does not count.
@@ -138,39 +141,73 @@ double MostOf(const ForceRecord& record, const ForceExplanation& one) {
   return most;
 }
 
-/// A mechanism that may be named.
-struct Named {
-  TriedForce tried;
-  double noise = 1;
-  double score = 0;
-};
+constexpr double kLeastScore = kSuspicious * kSuspicious;
 
-/// Nothing where chance, or one frequency alone, explains as much.
-std::optional<Named> NamedOf(const ForceRecord& record, WeighedForces& forces, const TriedForce& tried) {
+/// By how much chance would let it fall: widened where what is left is correlated or exceeds noise.
+double NoiseOf(WeighedForces& forces, const TriedForce& tried) {
   const double left = forces.Squares() - tried.fall;
-  const double noise = std::max(1.0, left / forces.degrees()) * forces.Correlated(tried);
-  constexpr double kLeastScore = kSuspicious * kSuspicious;
-  if (!(tried.fall > kLeastScore * noise)) return std::nullopt;
-  const double most = LargestOf(ByFrequency(record, forces.FallBySample(tried)));
-  if (!(tried.fall - most > kLeastScore * noise)) return std::nullopt;
-  return Named{tried, noise, tried.fall / noise};
+  return std::max(1.0, left / forces.degrees()) * forces.Correlated(tried);
 }
+
+/// The same record without one frequency, for whether a mechanism rests on that alone.
+class WithoutOne {
+ public:
+  WithoutOne(const ForceRecord& record, const std::vector<ForceExplanation>& before)
+      : record_(record), before_(before) {}
+
+  /// Whether it is beyond noise without the frequency that speaks for it most.
+  bool Stands(WeighedForces& forces, const TriedForce& tried) {
+    WeighedForces& others = Without(PeakOf(ByFrequency(record_, forces.FallBySample(tried)))).forces;
+    if (!(others.degrees() > 0)) return false;
+    const TriedForce again = others.Try(tried.mechanism);
+    return again.fall > kLeastScore * NoiseOf(others, again);
+  }
+
+ private:
+  struct Rest {
+    ForceRecord record;
+    WeighedForces forces;
+    explicit Rest(ForceRecord of) : record(std::move(of)), forces(record) {}
+  };
+
+  Rest& Without(double frequency) {
+    std::unique_ptr<Rest>& rest = rests_[frequency];
+    if (rest) return *rest;
+    constexpr double kSame = 1e-3;
+    ForceRecord record = record_;
+    std::erase_if(record.samples, [&](const ForceSample& sample) {
+      return std::abs(sample.frequency_Hz - frequency) < kSame * frequency;
+    });
+    rest = std::make_unique<Rest>(std::move(record));
+    for (const ForceExplanation& one : before_) rest->forces.TakeOut(one.mechanism);
+    return *rest;
+  }
+
+  const ForceRecord& record_;
+  const std::vector<ForceExplanation>& before_;
+  std::map<double, std::unique_ptr<Rest>> rests_;
+};
 
 /// The next explanation; nothing where what is left is within noise, or no mechanism explains it.
 std::optional<ForceExplanation> Next(const ForceRecord& record, WeighedForces& forces,
                                      const std::vector<ForceMechanism>& all,
                                      const std::vector<ForceExplanation>& before, double excess) {
-  std::vector<Named> best;
-  for (const TriedForce& tried : BestOfEach(forces, all, before))
-    if (tried.fall / std::max(tried.fall, excess) >= kLeastShare)
-      if (const std::optional<Named> named = NamedOf(record, forces, tried)) best.push_back(*named);
-  if (best.empty()) return std::nullopt;
-  const auto& [first, noise, score] = best.front();
-  ForceExplanation found{.mechanism = first.mechanism, .amount = first.amount, .score = score};
+  std::vector<TriedForce> best = BestOfEach(forces, all, before);
+  std::erase_if(best, [&](const TriedForce& tried) {
+    return !(tried.fall / std::max(tried.fall, excess) >= kLeastShare) ||
+           !(tried.fall > kLeastScore * NoiseOf(forces, tried));
+  });
+  WithoutOne others(record, before);
+  const auto named =
+      std::find_if(best.begin(), best.end(), [&](const TriedForce& tried) { return others.Stands(forces, tried); });
+  if (named == best.end()) return std::nullopt;
+  const TriedForce& first = *named;
+  const double noise = NoiseOf(forces, first);
+  ForceExplanation found{.mechanism = first.mechanism, .amount = first.amount, .score = first.fall / noise};
   found.share = first.fall / std::max(first.fall, excess);
-  for (std::size_t i = 1; i < best.size(); ++i)
-    if (score - best[i].tried.fall / noise < std::max(kApart, kShareApart * score))
-      found.rivals.push_back(best[i].tried.mechanism);
+  for (auto other = named + 1; other != best.end(); ++other)
+    if (found.score - other->fall / noise < std::max(kApart, kShareApart * found.score))
+      found.rivals.push_back(other->mechanism);
   found.sd = std::sqrt(noise / first.information);
   std::tie(found.lower_Hz, found.upper_Hz) = BandOf(ByFrequency(record, forces.FallBySample(first)));
   found.most_N = MostOf(record, found);
@@ -182,9 +219,7 @@ std::optional<UnexplainedForce> LeftOf(const ForceRecord& record, const WeighedF
   constexpr double kBeyondNoise = 1.5;
   if (!(std::sqrt(std::max(0.0, forces.Squares() / forces.degrees())) > kBeyondNoise)) return std::nullopt;
   const BySample squares = ByFrequency(record, forces.SquaresBySample());
-  const auto most = std::max_element(squares.begin(), squares.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  UnexplainedForce left{.frequency_Hz = most->first};
+  UnexplainedForce left{.frequency_Hz = PeakOf(squares)};
   std::tie(left.lower_Hz, left.upper_Hz) = BandOf(squares);
   return left;
 }
