@@ -21,7 +21,9 @@ std::string Indented(const std::string& lines, const std::string& by) {
 BenchDraft::Columns BenchDraft::ColumnsOf(const FileReading& reading) {
   SourceChannel force = BenchChannel(reading, kForce);
   if (reading.has_force_reversed) force.factor = -1;
-  return {SourceText({.channels = {BenchChannel(reading, kLength)}}), SourceText({.channels = {force}})};
+  return {SourceText({.channels = {BenchChannel(reading, kLength)}}),
+          SourceText({.channels = {force}}) +
+              (reading.has_force_reversed ? "  # look at: it acts along the motion, so its sign is turned" : "")};
 }
 
 std::string BenchDraft::LinesOf(const Columns& own, const Columns& others, const std::string& indent) {
@@ -41,7 +43,9 @@ void BenchDraft::Add(const FileReading& reading, const std::string& path, const 
 
 std::string BenchDraft::Text() const {
   if (recordings_.empty()) return "";
-  return "\nbench:\n" + LinesOf(shared_, {kKeys[0], kKeys[1]}, "  ") + "  recordings:\n" + recordings_;
+  const std::string damper =
+      dampers_.size() > 1 ? "  damper: " + YamlText(dampers_.front()) + "  # look at: the first of several\n" : "";
+  return "\nbench:\n" + damper + LinesOf(shared_, {kKeys[0], kKeys[1]}, "  ") + "  recordings:\n" + recordings_;
 }
 
 }  // namespace fourpost

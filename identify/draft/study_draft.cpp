@@ -8,6 +8,7 @@
 
 #include "analysis/measured_response/findings.h"
 #include "analysis/signals/motionless.h"
+#include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
@@ -306,7 +307,7 @@ class Drafter {
 
   /// Of a vehicle without posts, a damper between clamps.
   void AddBench() {
-    BenchDraft bench;
+    BenchDraft bench(NamesOf(vehicle_.dampers));
     for (std::size_t i = 0; i < readings_.size(); ++i) {
       if (readings_[i].kind != Kind::kBench) continue;
       drafted_[i].use = "bench";
