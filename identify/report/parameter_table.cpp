@@ -103,6 +103,9 @@ Limit LimitOf(const std::string& limited_by) {
   const std::string kind = limited_by.substr(0, colon);
   const std::string name = colon == std::string::npos ? "" : InWords(limited_by.substr(colon + 2));
   if (kind == "noise") return {"limited by noise", "Measure longer or more often."};
+  if (kind == "stated error")
+    return {"limited by the stated error",
+            "Residuals are far below the stated error: state a smaller one if you trust the model so far."};
   if (kind == "model")
     return {"limited by the model (" + name + ")",
             "These data ask for another value than the rest: check them; if they are right, add to the model what they "
@@ -199,6 +202,7 @@ std::string WhyWide(const FitOverview& overview, const std::vector<ReportedParam
 /// What would narrow the intervals of parameters that are limited so: "model", "held", ...
 std::string RemedyFor(const std::string& kind) {
   if (kind == "noise") return "Measure longer or more often";
+  if (kind == "stated error") return "State a smaller error if you trust the model so far: residuals are far below it";
   if (kind == "model") return "Check these data; if they are right, add to the model what they ask for";
   if (kind == "missing") return "Add to the model what it lacks, and fit again";
   if (kind == "held") return "Measure or free these held parameters";

@@ -8,6 +8,7 @@
 
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
+#include "identify/run/parameter_limit.h"
 
 namespace fourpost {
 namespace {
@@ -49,7 +50,7 @@ std::string ParameterTable(const FitResult& fit) {
                    "upper", "unit", "limited by", ""});
   for (const FittedParameter& p : fit.parameters)
     table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), IntervalText(p),
-               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, p.limited_by, Remark(p)});
+               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, LimitOf(fit, p), Remark(p)});
   return table.Format();
 }
 
@@ -103,8 +104,8 @@ std::string IntervalBasis(const FitOverview& overview) {
                 "right, the\nmodel lacks something.\n") +
          ways + ".\n  By noise alone the intervals would be " + Rounded(overview.wider_than_by_noise, 2) +
          " times narrower.\n"
-         "  Limited by noise: measure longer or more often; by the model: add what those data ask for;\n"
-         "  by a held parameter: free or measure it.\n";
+         "  Limited by noise: measure longer or more often; by the stated error: state a smaller one if you trust the\n"
+         "  model so far; by the model: add what those data ask for; by a held parameter: free or measure it.\n";
 }
 
 std::string CalibrationTable(const FitResult& fit) {

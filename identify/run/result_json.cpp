@@ -8,6 +8,7 @@
 #include "analysis/files/json_text.h"
 #include "analysis/signals/median.h"
 #include "identify/refine/method_settings.h"
+#include "identify/run/parameter_limit.h"
 #include "identify/study/fitted_files.h"
 #include "identify/study_file/warnings_json.h"
 #include "vehicles/requests/versions.h"
@@ -32,9 +33,9 @@ Json Prior(const FittedParameter& parameter) {
   return {{"value", parameter.start}, {"sd", *parameter.prior_sd}, {"deviation_in_sd", parameter.FromPrior()}};
 }
 
-Json Parameters(const std::vector<FittedParameter>& parameters) {
+Json Parameters(const FitResult& fit) {
   Json list = Json::array();
-  for (const FittedParameter& parameter : parameters) {
+  for (const FittedParameter& parameter : fit.parameters) {
     list.push_back({{"name", parameter.name},
                     {"start", parameter.start},
                     {"value", parameter.value},
@@ -46,7 +47,7 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
                      {{"noise", NumberOrNull(parameter.noise_sd)},
                       {"held", NumberOrNull(parameter.held_sd)},
                       {"model", NumberOrNull(parameter.model_sd)}}},
-                    {"limited_by", parameter.limited_by},
+                    {"limited_by", LimitOf(fit, parameter)},
                     {"interval_95", {NumberOrNull(parameter.lower_95), NumberOrNull(parameter.upper_95)}},
                     {"state", kParameterStateNames[static_cast<std::size_t>(parameter.state)]},
                     {"at_bound", parameter.at_bound}});
@@ -325,7 +326,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"identifiability_before", Before(fit)},
                {"identifiability", After(fit.covariance, fit.weakest)},
                {"intervals", Intervals(fit)},
-               {"parameters", Parameters(fit.parameters)},
+               {"parameters", Parameters(fit)},
                {"warnings", WarningsJson(found.warnings)},
                {"conclusions", WarningsJson(found.conclusions)},
                {"versions", versions}};
