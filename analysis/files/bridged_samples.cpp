@@ -9,9 +9,7 @@ std::vector<char> BridgedSamples(const TimeRecording& recording, const std::vect
   std::vector<char> is_bridged(gaps.empty() ? 0 : recording.samples());
   for (std::size_t k = 0; k < is_bridged.size(); ++k)
     is_bridged[k] = std::any_of(gaps.begin(), gaps.end(), [&, t = recording.time_s(k)](const BridgedGap& gap) {
-      const bool is_behind = t > gap.from_s + rounding || gap.from_s <= recording.start_s + rounding;
-      const bool is_before = t < gap.to_s - rounding || gap.to_s >= recording.end_s - rounding;
-      return is_behind && is_before;
+      return t > gap.from_s + rounding && t < gap.to_s - rounding;
     });
   return is_bridged;
 }

@@ -6,8 +6,7 @@
 
 namespace fourpost {
 
-/// Per sample of a recording, whether it lies in one of the gaps: between two samples that were measured, or at an end
-/// of the record at which none was. Empty without gaps.
+/// Per sample of a recording, whether it lies in one of the gaps. Empty without gaps.
 std::vector<char> BridgedSamples(const TimeRecording& recording, const std::vector<BridgedGap>& gaps);
 
 }  // namespace fourpost

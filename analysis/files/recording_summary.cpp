@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/files/recorded_unit.h"
+#include "analysis/files/sample_times.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/dead_signal.h"
 #include "analysis/signals/drift.h"
@@ -80,15 +81,22 @@ double JitterOf(const std::vector<double>& steps, double usual) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, std::size_t column) {
+using StatedUnits = std::span<const std::string>;
+
+/// As stated, else as the file has it.
+std::string UnitText(const RecordedTable& table, StatedUnits units, std::size_t column) {
+  return column < units.size() && !units[column].empty() ? units[column] : table.unit(column);
+}
+
+std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, StatedUnits units, std::size_t column) {
   std::vector<double> times = Values(table, column);
-  const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+  const std::optional<Unit> unit = ParseRecordedUnit(UnitText(table, units, column));
   const bool all = std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
   if (times.size() < 2 || !all) return std::nullopt;
   for (double& time : times) time *= unit && unit->dimension == kTime ? unit->si : 1;
   std::vector<double> steps(times.size() - 1);
   for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
-  const double usual = Median(steps);
+  const double usual = UsualStep(steps);
   if (!(usual > 0)) return std::nullopt;
   TimeSummary summary = {.column = table.names()[column], .start_s = times.front(), .end_s = times.back()};
   summary.rate_Hz = 1 / usual;
@@ -117,9 +125,9 @@ struct Stretch {
 };
 
 /// The longest without a gap.
-Stretch LongestStretch(const RecordedTable& table, std::size_t column, const TimeSummary& time) {
+Stretch LongestStretch(const RecordedTable& table, StatedUnits units, std::size_t column, const TimeSummary& time) {
   const std::vector<double> times = Values(table, column);
-  const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+  const std::optional<Unit> unit = ParseRecordedUnit(UnitText(table, units, column));
   const double si = unit && unit->dimension == kTime ? unit->si : 1;
   Stretch longest;
   std::size_t first = 0;
@@ -156,9 +164,9 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
 }
 
 /// `rate_Hz`: where the channel has none of its own.
-ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column, double rate_Hz,
+ColumnSummary SummariseColumn(const RecordedTable& table, StatedUnits units, std::size_t column, double rate_Hz,
                               const std::optional<Stretch>& stretch, RestSearch& rest) {
-  ColumnSummary summary = {.name = table.names()[column], .unit = table.unit(column)};
+  ColumnSummary summary = {.name = table.names()[column], .unit = UnitText(table, units, column)};
   summary.unit_known = ParseRecordedUnit(summary.unit).has_value();
   std::vector<double> values = Values(table, column);
   summary.samples = values.size();
@@ -182,20 +190,21 @@ std::string TimesColumn(const RecordedTable& table) {
   return column ? table.names()[*column] : "";
 }
 
-RecordingSummary Summarise(const RecordedTable& table) {
+RecordingSummary Summarise(const RecordedTable& table, StatedUnits units) {
   RecordingSummary summary;
   RestSearch rest;
   const std::optional<std::size_t> times = TimesOf(table);
-  if (times) summary.time = SummariseTimes(table, *times);
+  if (times) summary.time = SummariseTimes(table, units, *times);
   if (summary.time)
-    summary.time->is_guessed = !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(table.unit(*times));
+    summary.time->is_guessed =
+        !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(UnitText(table, units, *times));
   // Across a gap nobody knows when.
   std::optional<Stretch> stretch;
-  if (summary.time && !summary.time->gaps.empty()) stretch = LongestStretch(table, *times, *summary.time);
+  if (summary.time && !summary.time->gaps.empty()) stretch = LongestStretch(table, units, *times, *summary.time);
   for (std::size_t column = 0; column < table.names().size(); ++column)
     if (column != times && !table.HoldsText(column))
       summary.columns.push_back(
-          SummariseColumn(table, column, summary.time ? summary.time->rate_Hz : 0, stretch, rest));
+          SummariseColumn(table, units, column, summary.time ? summary.time->rate_Hz : 0, stretch, rest));
   // Where all are at rest none is dead.
   const auto moves = [](const ColumnSummary& one) {
     return one.unit_known && one.level > 0 && one.rms > kMoving * one.level;

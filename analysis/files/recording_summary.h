@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,7 @@ std::string TimesColumn(const RecordedTable& table);
 
 /// Looks at all columns. Times are a column of kTimeColumn's names, else the first in a unit of time, else the only one
 /// without a unit that rises evenly.
-RecordingSummary Summarise(const RecordedTable& table);
+/// `units`: what is stated in place of the units that the columns have, one each or empty; none: nothing is.
+RecordingSummary Summarise(const RecordedTable& table, std::span<const std::string> units = {});
 
 }  // namespace fourpost

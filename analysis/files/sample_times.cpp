@@ -33,7 +33,7 @@ class TimeCheck {
   std::optional<double> Step() {
     if (times_.size() < 4) return Refused(kTooFewSamples, 0, {std::to_string(times_.size())});
     const std::vector<double> steps = StepsOf(times_);
-    const double usual = Median(steps);
+    const double usual = UsualStep(steps);
     if (DoStepBack(steps))
       if (const std::optional<std::string> even = EvenlyRising(table_)) return Refused(kTimeStepsBack, 0, {*even});
     if (!(usual > 0)) {
@@ -82,6 +82,26 @@ class TimeCheck {
 }  // namespace
 
 std::string SecondsText(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }
+
+double UsualStep(const std::vector<double>& steps) {
+  constexpr double kOff = 0.01;
+  constexpr double kLonger = 1.25;
+  constexpr double kTwice = 2.01;
+  // Where fewer steps are longer, samples were lost.
+  constexpr double kShareOfRounding = 0.2;
+  const double middle = Median(steps);
+  const auto is_longer = [&](double step) { return step > kLonger * middle && step < kTwice * middle; };
+  const auto longer = static_cast<double>(std::count_if(steps.begin(), steps.end(), is_longer));
+  if (longer < kShareOfRounding * static_cast<double>(steps.size())) return middle;
+  double sum = 0;
+  double count = 0;
+  for (const double step : steps) {
+    if (!(step > 0 && step < kTwice * middle)) continue;
+    sum += step;
+    count += 1;
+  }
+  return std::abs(sum / count - middle) > kOff * middle ? sum / count : middle;
+}
 
 std::vector<double> StepsOf(const std::vector<double>& times) {
   std::vector<double> steps(times.empty() ? 0 : times.size() - 1);

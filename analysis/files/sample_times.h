@@ -19,6 +19,10 @@ std::string SecondsText(double time_s);
 /// Differences of neighbours.
 std::vector<double> StepsOf(const std::vector<double>& times);
 
+/// The middle one of steps; where times have a digit too few, so that steps have two sizes of which none is the
+/// recorder's, their mean.
+double UsualStep(const std::vector<double>& steps);
+
 /// Whether times step back more than here and there.
 bool DoStepBack(const std::vector<double>& steps);
 

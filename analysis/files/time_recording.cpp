@@ -224,27 +224,14 @@ class RecordReader {
   /// A sample that comes later than this many usual steps is a gap.
   static constexpr double kJitter = 1.5;
 
-  /// The middle one, or, where times are rounded so much that it is off, the mean of those that are no gaps.
-  static double UsualStep(const std::vector<double>& steps) {
-    constexpr double kOff = 0.01;
-    const double middle = Median(steps);
-    double sum = 0;
-    double count = 0;
-    for (const double step : steps) {
-      if (!(step > 0 && step < kJitter * middle)) continue;
-      sum += step;
-      count += 1;
-    }
-    return count > 0 && std::abs(sum / count - middle) > kOff * middle ? sum / count : middle;
-  }
-
   std::vector<double> OnGrid(const RecordedChannel& channel, const std::vector<double>& times,
                              const std::vector<double>& values, const std::vector<double>& grid, double usual,
                              double longest_s, std::vector<BridgedGap>& gaps) {
     std::vector<double> at;
     std::vector<double> known;
     int found = 0;
-    const auto bridge = [&](const BridgedGap& gap, std::size_t row) {
+    // `last`: behind which nothing was measured.
+    const auto bridge = [&](BridgedGap gap, std::size_t row, bool last = false) {
       const double gap_s = gap.to_s - gap.from_s;
       if (gap_s > longest_s && found++ < kMostSampleFaults)
         Fault(kGapNotBridged, table_.line(row),
@@ -252,6 +239,8 @@ class RecordReader {
       if (gap_s <= kJitter * usual) return;
       ++bridged_;
       longest_bridged_s_ = std::max(longest_bridged_s_, gap_s);
+      if (at.empty()) gap.from_s -= usual;
+      if (last) gap.to_s += usual;
       gaps.push_back(gap);
     };
     for (std::size_t k = 0; k < times.size(); ++k) {
@@ -261,7 +250,7 @@ class RecordReader {
       at.push_back(times[k]);
       known.push_back(values[k]);
     }
-    if (!at.empty()) bridge({at.back(), times.back()}, times.size() - 1);
+    if (!at.empty()) bridge({at.back(), times.back()}, times.size() - 1, true);
     if (at.size() < 3) Fault(kTooFewSamples, 0, {std::to_string(at.size())});
     return at.size() < 3 ? std::vector<double>(grid.size()) : InterpolatedAt(at, known, grid);
   }

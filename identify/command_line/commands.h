@@ -25,7 +25,7 @@ struct InitCommand {
   /// Recordings and the vehicle of a study to draft; empty: the starter study is written.
   std::vector<std::filesystem::path> from;
   std::filesystem::path vehicle;
-  /// Of their channels, in place of what the files have; and what is wrong with them.
+  /// Units of channels in place of what the files have; and what is wrong with the options.
   std::vector<StatedUnit> units;
   Diagnostics faults;
   /// "front=macpherson"; empty: no vehicle is made of hard points.

@@ -52,8 +52,8 @@ const ColumnSummary* DraftedPreparation::Find(const std::string& channel) const 
   return found == summary.columns.end() ? nullptr : &*found;
 }
 
-DraftedPreparation PreparationOf(const RecordedTable& table) {
-  DraftedPreparation preparation{.times = {}, .summary = Summarise(table)};
+DraftedPreparation PreparationOf(const RecordedTable& table, std::span<const std::string> units) {
+  DraftedPreparation preparation{.times = {}, .summary = Summarise(table, units)};
   if (!preparation.summary.time) return preparation;
   const TimeSummary& time = *preparation.summary.time;
   // Beyond what a reader takes as even.

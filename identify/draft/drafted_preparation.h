@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct DraftedPreparation {
   const ColumnSummary* Find(const std::string& channel) const;
 };
 
-/// Even times where steps jitter, and bridges over short gaps; of a table without a column of times nothing.
-DraftedPreparation PreparationOf(const RecordedTable& table);
+/// Even times where steps jitter, and bridges over short gaps; of a table without a column of times nothing. `units`:
+/// see Summarise().
+DraftedPreparation PreparationOf(const RecordedTable& table, std::span<const std::string> units = {});
 
 /// A straight line that outweighs all motion is a sensor's drift.
 bool Drifts(const ColumnSummary& column);

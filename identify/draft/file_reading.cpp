@@ -168,6 +168,13 @@ std::vector<double> ShapeOf(const Vehicle& vehicle, const FileReading& reading, 
   return shape;
 }
 
+/// Stated ones, a text for each column.
+std::vector<std::string> UnitsByColumn(const RecordedTable& table, const std::vector<StatedUnit>& units) {
+  std::vector<std::string> by_column;
+  for (const std::string& name : table.names()) by_column.push_back(UnitStatedOf(units, name));
+  return by_column;
+}
+
 void AddChannels(const RecordedTable& table, const std::string& time, FileReading& reading) {
   for (std::size_t column = 0; column < table.names().size(); ++column) {
     const std::string& name = table.names()[column];
@@ -187,7 +194,7 @@ void AddBeside(const OtherFile& other, FileReading& reading) {
   const std::optional<RecordedTable> table = ReadRecordedTable(other.path, unheard);
   if (!table) return;
   AddChannels(*table, TimesColumn(*table), reading);
-  DraftedPreparation beside = PreparationOf(*table);
+  DraftedPreparation beside = PreparationOf(*table, UnitsByColumn(*table, reading.units));
   std::vector<ColumnSummary>& columns = reading.preparation.summary.columns;
   for (ColumnSummary& column : beside.summary.columns)
     if (reading.preparation.Find(column.name) == nullptr) columns.push_back(std::move(column));
@@ -235,7 +242,7 @@ void ReadAtRestingPosts(const RecordedTable& table, const Vehicle& vehicle, File
   if (!reading.actuators.empty() || reading.is_release) reading.kind = FileReading::Kind::kHistory;
 }
 
-/// Of a damper that would deliver work.
+/// Whether the damper would deliver work.
 bool IsForceReversed(const RecordedTable& table, const FileReading& reading) {
   const std::array<RecordedChannel, 2> wanted = {AsRecorded(BenchChannel(reading, kLength), kLength, "the extension"),
                                                  AsRecorded(BenchChannel(reading, kForce), kForce, "the tension")};
@@ -278,7 +285,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
   }
   AddChannels(table, time, reading);
   const std::vector<OtherFile> others = reading.preparation.times.others;
-  reading.preparation = PreparationOf(table);
+  reading.preparation = PreparationOf(table, UnitsByColumn(table, reading.units));
   reading.preparation.times.others = others;
   TakeUnitOfTimes(table, time, reading);
   for (const OtherFile& other : others) AddBeside(other, reading);

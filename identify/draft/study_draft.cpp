@@ -96,6 +96,7 @@ class Drafter {
   }
 
   StudyDraft Draft() {
+    CheckUnits();
     const std::vector<std::size_t> none;
     const Subject subject(vehicle_, none, study_);
     std::optional<CondensedModel> model;
@@ -109,7 +110,6 @@ class Drafter {
     AddLoads();
     AddBench();
     StudyDraft draft{.text = text_, .files = drafted_, .findings = {}};
-    CheckUnits(draft.findings);
     Check(draft);
     draft.text = Head(draft) + draft.text;
     return draft;
@@ -319,14 +319,15 @@ class Drafter {
   }
 
   /// Each names a channel of some file.
-  void CheckUnits(Diagnostics& findings) const {
+  void CheckUnits() const {
+    std::vector<std::string> all;
+    for (const FileReading& reading : readings_) all.insert(all.end(), reading.columns.begin(), reading.columns.end());
+    Diagnostics findings;
     for (const StatedUnit& stated : units_)
-      if (std::none_of(readings_.begin(), readings_.end(), [&](const FileReading& reading) {
-            return std::any_of(reading.columns.begin(), reading.columns.end(),
-                               [&](const std::string& name) { return stated.Names(name); });
-          }))
+      if (std::none_of(all.begin(), all.end(), [&](const std::string& name) { return stated.Names(name); }))
         findings.Report(kResponseUnitOfNone, Place::Option("--unit"),
-                        {stated.channel, DidYouMeanOrAll(stated.channel, readings_.front().columns)});
+                        {stated.channel, DidYouMeanOrAll(stated.channel, all)});
+    if (findings.HasErrors()) throw FaultyInput(findings);
   }
 
   void Check(StudyDraft& draft) const {

@@ -45,8 +45,8 @@ struct StudyDraft {
 /// become `recordings`, other time histories `histories`, loads at rest `static_loads`. Posts and sensors are matched
 /// to channels by MatchChannels(), with the responses of the vehicle as its file has it; the draft is then checked as
 /// `fourpost info STUDY` does. `study`: where it will be written; paths are relative to its folder. Throws FaultyInput
-/// where the vehicle cannot be assembled. `units`: in place of what time histories have; it is an error that one names
-/// no channel.
+/// where the vehicle cannot be assembled. `units`: in place of what time histories have; also thrown where one
+/// names no channel.
 StudyDraft DraftStudy(const std::vector<std::filesystem::path>& files, const Vehicle& vehicle,
                       const std::filesystem::path& study, const std::vector<StatedUnit>& units = {});
 

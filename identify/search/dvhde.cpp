@@ -14,8 +14,6 @@ constexpr double kFirstLineStep = 0.25;  // of the range
 // Of a simplex of continuous genes, for each axis.
 constexpr int kSimplexIterations = 15;
 
-double RangeOf(const Lattice& lattice, std::size_t axis) { return static_cast<double>(lattice.count(axis) - 1); }
-
 std::vector<std::size_t> AxesOf(const Lattice& lattice, bool discrete) {
   std::vector<std::size_t> axes;
   for (std::size_t j = 0; j < lattice.size(); ++j)
@@ -25,7 +23,8 @@ std::vector<std::size_t> AxesOf(const Lattice& lattice, bool discrete) {
 
 std::vector<double> FirstLineSteps(const Lattice& lattice) {
   std::vector<double> steps;
-  for (std::size_t j = 0; j < lattice.size(); ++j) steps.push_back(kFirstLineStep * RangeOf(lattice, j));
+  for (std::size_t j = 0; j < lattice.size(); ++j)
+    steps.push_back(kFirstLineStep * static_cast<double>(lattice.count(j) - 1));
   return steps;
 }
 

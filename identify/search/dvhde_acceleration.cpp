@@ -28,7 +28,7 @@ constexpr double kFirstSimplex = 1.0 / 16;
 constexpr double kLeastSimplex = 1e-4;
 constexpr std::size_t kMostSimplexAxes = 4;
 
-double WholeRange(const Lattice& lattice, std::size_t axis) { return static_cast<double>(lattice.count(axis) - 1); }
+double RangeOf(const Lattice& lattice, std::size_t axis) { return static_cast<double>(lattice.count(axis) - 1); }
 
 /// The other genes after a kick: discrete ones by whole steps, then the continuous ones, finer and finer.
 std::vector<PatternSearch::Walk> WalksAfterKick(const Lattice& lattice, const std::vector<std::size_t>& continuous,
@@ -40,7 +40,7 @@ std::vector<PatternSearch::Walk> WalksAfterKick(const Lattice& lattice, const st
   double share = kFirstKickStep;
   for (int round = 0; round < kKickRounds; ++round, share *= kKickShrinkage)
     for (const std::size_t j : continuous)
-      walks.push_back({.axis = j, .step = share * WholeRange(lattice, j), .growth = kKickGrowth});
+      walks.push_back({.axis = j, .step = share * RangeOf(lattice, j), .growth = kKickGrowth});
   return walks;
 }
 
@@ -79,7 +79,7 @@ void Dvhde::EndLines() {
     const PatternSearch::Ended& walk = pattern_->ended()[k];
     const std::size_t axis = line_axes_[k];
     line_steps_[axis] = std::max(
-        {walk.helped ? walk.step : kLineShrinkage * walk.step, kLeastLineStep * WholeRange(*lattice_, axis), 0.5});
+        {walk.helped ? walk.step : kLineShrinkage * walk.step, kLeastLineStep * RangeOf(*lattice_, axis), 0.5});
   }
   line_turn_ += pattern_->ended().size();
   population_[BestIndex(population_)] = pattern_->best();

@@ -37,4 +37,13 @@ TimePreparation ReadTimePreparation(const StrictMap& map, const std::string& whe
   return preparation;
 }
 
+RecordingWindow ReadWindow(const StrictMap& map, const std::string& where, const Finding& empty) {
+  // Clocks may begin before zero.
+  constexpr double kEarliest_s = -1e9;
+  const RecordingWindow window = {.start_s = map.Quantity("start", kTime, kEarliest_s),
+                                  .end_s = map.Quantity("end", kTime, kEarliest_s)};
+  if (window.start_s && window.end_s && !(*window.start_s < *window.end_s)) map.Fault(map.Get("end"), empty, {where});
+  return window;
+}
+
 }  // namespace fourpost

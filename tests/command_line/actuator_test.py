@@ -1,6 +1,7 @@
 """A vehicle that measured forces drive: the fit finds it, and a force of the other sign is named as what it is."""
 import json
 import math
+import unittest
 
 from program import SOURCE, ProgramTest
 
@@ -61,3 +62,8 @@ class DrivenByAForce(ProgramTest):
         outcome = self.fit(-1, 1)
         self.assertIn("tension of actuator 'shaker' had the wrong sign", outcome.stderr)
         self.assertNotIn("channel-inverted", outcome.stderr)
+        self.assertIn("study.yaml:5: warning", outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -222,21 +222,31 @@ class Draft(ProgramTest):
         """No units, a hole, and a second file whose columns are called otherwise."""
         damper = SOURCE / "studies/damper"
         rows = (damper / "sine_5Hz_3mm.csv").read_text().splitlines()
-        self.write("bare.csv", "\n".join(["t,dist,forc"] + rows[2:100] + rows[108:]) + "\n")
+        bare = [f"{1e3 * float(t):.0f},{rest}" for t, rest in (row.split(",", 1) for row in rows[2:])]
+        # Rows are lost, and fields.
+        bare = bare[:98] + bare[106:150] + [row.rsplit(",", 1)[0] + "," for row in bare[150:154]] + bare[154:]
+        self.write("bare.csv", "\n".join(["t,dist,forc"] + bare) + "\n")
         self.write("other.csv", "\n".join([rows[0].replace("force", "F rod")] + rows[1:]) + "\n")
         files = ("--from", "bare.csv", "other.csv", "--vehicle", damper / "model2.urdf")
         self.assertIn("without a unit: dist, forc, which --unit states, as --unit dist=mm",
                       self.run_program("init", "none", "--from", "bare.csv", "--vehicle", damper / "model2.urdf",
                                        code=3).stderr)
-        units = [part for unit in ("t=s", "dist=m", "forc=N") for part in ("--unit", unit)]
-        self.assertIn("response-unit-of-none", self.run_program("init", "none", *files, "--unit", "forse=N").stderr)
+        units = [part for unit in ("t=ms", "dist=m", "forc=N") for part in ("--unit", unit)]
+        self.assertIn("response-unit-of-none", self.run_program("init", "none", *files, "--unit", "forse=N", code=2).stderr)
+        self.assertFalse((self.folder / "none").exists())
         self.run_program("init", "study", *files, *units)
         text = (self.folder / "study/study.yaml").read_text()
         self.assertIn("bench:\n  displacement: {channel: dist, unit: m}\n  force: {channel: forc, unit: N}\n"
                       "  recordings:\n    - file: ../bare.csv\n", text)
-        self.assertIn("      time: {channel: t, unit: s}\n      bridge: 19 ms  # 1 gap, the longest 18 ms\n"
+        self.assertIn("      time: {channel: t, unit: ms}\n      bridge: 19 ms  # 5 gaps, the longest 18 ms\n"
                       "    - file: ../other.csv\n      displacement: displacement\n      force: F rod\n", text)
         self.run_program("response", "study/study.yaml")
+        # What the study says of a file holds for its prediction, and a new file with the same columns is read alike.
+        self.run_program("fit", "study/study.yaml", "-o", "run", "--no-suggest")
+        (self.folder / "new.csv").write_text((self.folder / "other.csv").read_text())
+        for file, preparation in (("bare.csv", "bridged"), ("new.csv", "")):
+            predicted = json.loads(self.run_program("predict", "run", "--recording", file, "--json").stdout)
+            self.assertIn(preparation, str(predicted["integration"][0].get("preparation", "")))
 
 
 class ShortStudies(ProgramTest):

@@ -82,7 +82,7 @@ double PowerOf(const Signal& force, const Signal& rate) {
   return sum / static_cast<double>(force.size());
 }
 
-/// Of the fastest part, where there is one.
+/// Phase of force against motion in the fastest part, else in all.
 double PhaseOfForce_deg(const Signal& x, const Signal& force, double step_s) {
   const std::optional<MotionPhase> fastest = PhaseOfFastest(x, force, step_s);
   return fastest ? fastest->phase_deg : PhaseOf(x, force, step_s).phase_deg;

@@ -230,7 +230,9 @@ MarchedResponse MarchEach(const RigView& rig, const Excitation& excitation, cons
 
 /// Of so many samples, which each cost as much as a step of the integrator, one is enough while the motion settles.
 int SamplesPerSettlingSample(int samples_per_cycle, double frequency_Hz) {
+  // Means and first harmonics, by which it settles, take a few; of fewer they would take in harmonics of stops.
   constexpr int kFewest = 16;
+  // The integrator's own steps are a few milliseconds.
   constexpr double kStep_s = 0.004;
   int stride = 1;
   while (samples_per_cycle % (2 * stride) == 0 && samples_per_cycle / (2 * stride) >= kFewest &&

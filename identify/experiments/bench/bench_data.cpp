@@ -41,6 +41,13 @@ std::optional<std::size_t> FindDamper(const BenchStudy& study, const std::string
 /// What is left of the time before a recording, which the modelled filter did not see: less than a model misses.
 constexpr double kForgotten = 1e-3;
 
+/// Of displacement and force: what a force was at an unknown motion says nothing.
+std::vector<BridgedGap> GapsOf(const TimeRecording& recording) {
+  std::vector<BridgedGap> gaps = recording.gaps[0];
+  gaps.insert(gaps.end(), recording.gaps[1].begin(), recording.gaps[1].end());
+  return gaps;
+}
+
 /// `damper`: nothing where the vehicle has no such.
 std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Recording& from,
                                    const std::optional<BenchDamper>& damper, Diagnostics& diagnostics) {
@@ -52,7 +59,7 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
   std::optional<TimeRecording> read = ReadTimeRecording(
       from.file, wanted, diagnostics, TimeColumn(from.time ? from.time : study.time), from.preparation);
   if (!read) return std::nullopt;
-  if (!CutToWindow({.start_s = from.start_s, .end_s = from.end_s}, *read)) {
+  if (!CutToWindow(from.window, *read)) {
     diagnostics.Report(kBenchWindowOutside, {from.file.string()},
                        {std::to_string(kFewestInWindow), FormatNumber(read->start_s), FormatNumber(read->end_s)});
     return std::nullopt;
@@ -67,7 +74,7 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
                            .sample_s = read->step_s,
                            .motion = {},
                            .force = std::move(read->channels[1]),
-                           .is_unknown = BridgedSamples(*read, read->gaps[1]),
+                           .is_unknown = BridgedSamples(*read, GapsOf(*read)),
                            .preparations = std::move(read->preparations),
                            .filter = {},
                            .end = read->samples()};

@@ -29,7 +29,7 @@ struct BenchRecording {
   BenchMotion motion;
   /// As measured, N.
   std::vector<double> force;
-  /// Per sample of the force, whether it was not measured: in a gap that is bridged. Empty: all were.
+  /// Per sample, whether force or displacement was not measured: in a gap that is bridged. Empty: all were.
   std::vector<char> is_unknown = {};
   /// What was done to it, a sentence each.
   std::vector<std::string> preparations = {};

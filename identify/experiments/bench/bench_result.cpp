@@ -38,7 +38,11 @@ ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& reco
                            const std::vector<double>& values) {
   std::vector<double> force = ModelledForce(damper, recording, values);
   if (force.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
-  return {recording, std::move(force)};
+  // What was not measured weighs nothing.
+  BenchRecording compared = recording;
+  for (std::size_t k = 0; k < force.size(); ++k)
+    if (recording.IsUnknown(k)) compared.force[k] = force[k];
+  return {std::move(compared), std::move(force)};
 }
 
 std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,

@@ -94,10 +94,7 @@ class BenchReader {
     recording.force = Channel(map, "force", " of " + where);
     recording.time = Channel(map, "time", " of " + where);
     recording.preparation = ReadTimePreparation(map, where);
-    recording.start_s = map.Quantity("start", kTime, -1e9);
-    recording.end_s = map.Quantity("end", kTime, -1e9);
-    if (recording.start_s && recording.end_s && !(*recording.start_s < *recording.end_s))
-      map.Fault(map.Get("end"), kBenchWindowEmpty, {where});
+    recording.window = ReadWindow(map, where, kBenchWindowEmpty);
   }
 
   std::filesystem::path Resolve(const std::string& path) const {

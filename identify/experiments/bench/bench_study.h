@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/files/recording_window.h"
 #include "analysis/files/time_recording.h"
 #include "identify/study_file/channel_source.h"
 #include "identify/study_file/strict_yaml.h"
@@ -26,11 +27,10 @@ struct BenchStudy {
     std::optional<SourceChannel> displacement = {};
     std::optional<SourceChannel> force = {};
     std::optional<SourceChannel> time = {};
-    /// Of its times; files beside it are resolved.
+    /// What is done to its times; files beside it are resolved.
     TimePreparation preparation = {};
     /// The rest is cut off before anything is looked at.
-    std::optional<double> start_s = {};
-    std::optional<double> end_s = {};
+    RecordingWindow window = {};
     /// Of a control that parameters follow.
     std::optional<double> setting = {};
     int line = 0;

@@ -101,6 +101,46 @@ void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecordi
   if (largest > kVisible) results.findings.Report(kBenchForceInaccurate, {worst->recording.name}, {size});
 }
 
+/// Fitted ones first.
+std::vector<BenchStudy::Recording> AllOf(const BenchStudy& plan) {
+  std::vector<BenchStudy::Recording> all = plan.recordings;
+  all.insert(all.end(), plan.validation.begin(), plan.validation.end());
+  return all;
+}
+
+bool HasColumns(const RecordedTable& table, const BenchStudy& plan, const BenchStudy::Recording& of) {
+  return table.FindColumn(of.displacement.value_or(plan.displacement).name) &&
+         table.FindColumn(of.force.value_or(plan.force).name);
+}
+
+/// The first recording whose columns a file has.
+std::optional<BenchStudy::Recording> WithColumnsOf(const BenchStudy& plan, const RecordedTable& table) {
+  for (const BenchStudy::Recording& one : AllOf(plan))
+    if (HasColumns(table, plan, one)) return one;
+  return std::nullopt;
+}
+
+/// With all that the study says of this file, if it does; else with columns that the file has.
+BenchStudy::Recording AsStated(const BenchStudy& plan, const PredictionRequest& request) {
+  const std::vector<BenchStudy::Recording> all = AllOf(plan);
+  const auto stated = std::find_if(all.begin(), all.end(), [&](const BenchStudy::Recording& one) {
+    std::error_code is_missing;
+    return std::filesystem::equivalent(one.file, request.recording, is_missing);
+  });
+  BenchStudy::Recording recording = {.name = request.recording.stem().string(), .file = request.recording};
+  if (stated != all.end()) recording = *stated;
+  Diagnostics left_to_loading;
+  const std::optional<RecordedTable> table = ReadRecordedTable(request.recording, left_to_loading);
+  if (stated == all.end() && table && !HasColumns(*table, plan, recording))
+    if (const std::optional<BenchStudy::Recording> like = WithColumnsOf(plan, *table)) {
+      recording.displacement = like->displacement;
+      recording.force = like->force;
+      recording.time = like->time;
+    }
+  if (request.setting) recording.setting = request.setting;
+  return recording;
+}
+
 }  // namespace
 
 std::unique_ptr<Experiment> DamperBench::Read(const StrictMap& study) {
@@ -217,26 +257,7 @@ std::optional<ExperimentResults> DamperBench::Respond(const Subject& subject, st
 }
 
 bool DamperBench::Reads(const RecordedTable& table) const {
-  const auto has = [&](const SourceChannel& displacement, const SourceChannel& force) {
-    return table.FindColumn(displacement.name).has_value() && table.FindColumn(force.name).has_value();
-  };
-  const auto has_own = [&](const BenchStudy::Recording& one) {
-    return has(one.displacement.value_or(plan.displacement), one.force.value_or(plan.force));
-  };
-  return has(plan.displacement, plan.force) || std::any_of(plan.recordings.begin(), plan.recordings.end(), has_own) ||
-         std::any_of(plan.validation.begin(), plan.validation.end(), has_own);
-}
-
-/// With all that the study says of this file, if it does.
-BenchStudy::Recording DamperBench::AsStated(const PredictionRequest& request) const {
-  BenchStudy::Recording recording = {.name = request.recording.stem().string(), .file = request.recording};
-  for (const std::vector<BenchStudy::Recording>* const stated : {&plan.recordings, &plan.validation})
-    for (const BenchStudy::Recording& one : *stated) {
-      std::error_code none;
-      if (std::filesystem::equivalent(one.file, request.recording, none)) recording = one;
-    }
-  if (request.setting) recording.setting = request.setting;
-  return recording;
+  return HasColumns(table, plan, {}) || WithColumnsOf(plan, table).has_value();
 }
 
 std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, const PredictionRequest& request,
@@ -251,7 +272,7 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   refuse(!request.noise_from.empty(), "--noise-from");
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
   DamperBench other = *this;
-  other.plan.recordings = {AsStated(request)};
+  other.plan.recordings = {AsStated(plan, request)};
   other.plan.validation.clear();
   other.Load(subject, results.findings);
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);

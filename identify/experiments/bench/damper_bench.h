@@ -40,10 +40,6 @@ class DamperBench : public Experiment {
   std::optional<ExperimentResults> Predict(const Subject& subject, const PredictionRequest& request,
                                            const WorkHooks& hooks) const override;
 
- private:
-  BenchStudy::Recording AsStated(const PredictionRequest& request) const;
-
- public:
   /// The study's.
   std::string file;
   BenchStudy plan;

@@ -72,10 +72,9 @@ class FourPostReader {
     if (map.Has("time"))
       recording.time =
           ReadSourceChannel(map.Get("time"), "'time' of " + where, ChannelKind::kHistory, file_, study_.diagnostics());
-    recording.start_s = map.Quantity("start", kTime, -1e9);
-    recording.end_s = map.Quantity("end", kTime, -1e9);
-    if (recording.start_s && recording.end_s && !(*recording.start_s < *recording.end_s))
-      map.Fault(map.Get("end"), kSineWindowEmpty, {where});
+    const RecordingWindow window = ReadWindow(map, where, kSineWindowEmpty);
+    recording.start_s = window.start_s;
+    recording.end_s = window.end_s;
   }
 
   void ReadPosts(const YAML::Node& node, StudyRecording& recording) {

@@ -63,16 +63,17 @@ class HistoryLinter {
   /// The other sign of all channels explains most of each, at the values of the file: a fit goes astray.
   bool IsMirrored() const {
     constexpr double kMost_percent = 50;
-    return std::all_of(start_.begin(), start_.end(), [&](const HistoryMisfit& misfit) {
-      return start_errors_.Percent(misfit.recording, misfit.name, -1, 0) < kMost_percent;
-    });
+    // One channel has the wrong sign as well as the force.
+    return start_.size() > 1 && std::all_of(start_.begin(), start_.end(), [&](const HistoryMisfit& misfit) {
+             return start_errors_.Percent(misfit.recording, misfit.name, -1, 0) < kMost_percent;
+           });
   }
 
   HistoryRemark MirroredActuator() const {
     std::string names;
     for (const std::string& actuator : driving_) names += (names.empty() ? "actuator '" : " and '") + actuator + "'";
     const std::string& recording = start_.front().recording;
-    return {Cause::kSign, recording, "", {&kActuatorInverted, {recording, names}}};
+    return {Cause::kSign, recording, driving_.front(), {&kActuatorInverted, {recording, names}}};
   }
 
   /// A fit may hide a swap: what the vehicle file's own values show of one, and the fitted ones do not.
@@ -141,9 +142,9 @@ std::vector<std::string> DrivingActuators(const Vehicle& vehicle, const Measured
 }
 
 int LineOfChannel(const StudyHistory& history, const std::string& channel) {
-  const auto source = std::find_if(history.channels.begin(), history.channels.end(),
-                                   [&](const auto& one) { return one.first == channel; });
-  if (source != history.channels.end()) return source->second.line;
+  for (const auto* const sources : {&history.channels, &history.actuators})
+    for (const auto& [name, source] : *sources)
+      if (name == channel) return source.line;
   return history.posts.empty() ? history.line : history.posts.front().second.line;
 }
 

@@ -55,10 +55,9 @@ class HistoryReader {
       if (*use != "fit" && *use != "validation") map.Fault(map.Get("use"), kHistoryUse, {where_});
     }
     ReadPreparation(map, history);
-    history.start_s = map.Quantity("start", kTime, -1e9);
-    history.end_s = map.Quantity("end", kTime, -1e9);
-    if (history.start_s && history.end_s && !(*history.start_s < *history.end_s))
-      map.Fault(map.Get("end"), kHistoryWindowEmpty, {where_});
+    const RecordingWindow window = ReadWindow(map, where_, kHistoryWindowEmpty);
+    history.start_s = window.start_s;
+    history.end_s = window.end_s;
     return history;
   }
 

@@ -46,12 +46,21 @@ TEST(RecordingWindow, OfTooFewSamplesIsRefused) {
   EXPECT_EQ(recording.samples(), kFewestInWindow);
 }
 
+TEST(RecordingWindow, KeepsWhatWasMeasuredAtTheEdgeOfAGap) {
+  TimeRecording recording = Counted(40);
+  recording.gaps = {{{1.2, 1.5}, {4.5, 4.7}}};
+  ASSERT_TRUE(CutToWindow({.start_s = 1.2, .end_s = 4.5}, recording));
+  const std::vector<char> is_bridged = BridgedSamples(recording, recording.gaps[0]);
+  EXPECT_THAT(std::vector<char>(is_bridged.begin(), is_bridged.begin() + 4), ElementsAre(0, 1, 1, 0));
+  EXPECT_FALSE(is_bridged.back());
+}
+
 TEST(BridgedSamples, LieBetweenMeasuredOnes) {
   const TimeRecording recording = Counted(6);
   EXPECT_THAT(BridgedSamples(recording, {}), ElementsAre());
   EXPECT_THAT(BridgedSamples(recording, {{1.1, 1.4}}), ElementsAre(0, 0, 1, 1, 0, 0));
-  // At the ends nothing was measured beyond the gap.
-  EXPECT_THAT(BridgedSamples(recording, {{1, 1.2}, {1.4, 1.5}}), ElementsAre(1, 1, 0, 0, 0, 1));
+  // Where the record begins or ends without a measurement, the gap is one step longer than it.
+  EXPECT_THAT(BridgedSamples(recording, {{0.9, 1.2}, {1.4, 1.6}}), ElementsAre(1, 1, 0, 0, 0, 1));
 }
 
 }  // namespace

@@ -54,6 +54,37 @@ TEST(TimeRecording, IsInSiAndInTheOrderWanted) {
   EXPECT_THAT(recording->channels[1], ElementsAre(100, 200, 300, 400, 500, 600));
 }
 
+// Written with a digit too few, steps are 1 and 2 ms, of which neither is the recorder's 1.4 ms.
+TEST(TimeRecording, TakesRoundedTimesAsEven) {
+  std::string text = "time,F,displacement\ns,N,m\n";
+  for (int k = 0; k < 200; ++k)
+    text += std::to_string(std::round(1.4 * k) / 1e3) + "," + std::to_string(k) + "," + std::to_string(k) + "\n";
+  const TemporaryFolder folder;
+  const auto file = folder.Write("rounded.csv", text);
+  for (const TimePreparation& preparation : {TimePreparation{}, TimePreparation{.bridge_s = 0.01}}) {
+    Diagnostics diagnostics;
+    const auto recording = ReadTimeRecording(file, kWanted, diagnostics, kTimeColumn, preparation);
+    ASSERT_TRUE(recording) << diagnostics.Format();
+    // The last time is rounded by half a millisecond at most, over 199 steps.
+    EXPECT_NEAR(recording->step_s, 1.4e-3, 0.5e-3 / 199 + 1e-9);
+    EXPECT_TRUE(recording->gaps[0].empty());
+  }
+}
+
+// Lost samples are gaps, however many they are below a fifth.
+TEST(TimeRecording, TakesLostSamplesAsLost) {
+  std::string text = "time,F,displacement\ns,N,m\n";
+  for (int k = 0; k < 300; ++k)
+    if (k % 7 != 3) text += std::to_string(2e-3 * k) + "," + std::to_string(k) + "," + std::to_string(k) + "\n";
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const auto recording = ReadTimeRecording(folder.Write("lost.csv", text), kWanted, diagnostics, kTimeColumn,
+                                           TimePreparation{.bridge_s = 0.01});
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  EXPECT_NEAR(recording->step_s, 2e-3, 1e-12);
+  EXPECT_EQ(recording->gaps[0].size(), 43);
+}
+
 TEST(TimeRecording, TakesUnitSignScaleAndDelayFromTheStudy) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;

@@ -106,7 +106,18 @@ TEST(RecordingCheck, TellsAWrongSign) {
     TimeRecording recording = Good();
     Apply(recording.channels[channel], [](double value) { return -value; });
     EXPECT_THAT(FaultOf(recording), ReportsOnly(kForceSign, 0, {"10.5 W"}));
+    EXPECT_TRUE(IsForceReversed(recording));
   }
+  EXPECT_FALSE(IsForceReversed(Good()));
+}
+
+TEST(RecordingCheck, TakesNoDelayAndNoDeadForceForAWrongSign) {
+  TimeRecording late = Good();
+  std::rotate(late.channels[1].begin(), late.channels[1].end() - 60, late.channels[1].end());
+  EXPECT_FALSE(IsForceReversed(late));
+  TimeRecording dead = Good();
+  Apply(dead.channels[1], [](double) { return 3.0; });
+  EXPECT_FALSE(IsForceReversed(dead));
 }
 
 TEST(RecordingCheck, SuspectsTwoWrongSigns) {

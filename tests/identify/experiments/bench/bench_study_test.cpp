@@ -70,8 +70,8 @@ TEST(BenchStudy, ARecordingHasColumnsTimesAndAWindowOfItsOwn) {
   EXPECT_EQ(own.displacement.value().name, "s");
   EXPECT_EQ(own.force.value().factor, -1);
   EXPECT_EQ(own.time.value().name, "clock");
-  EXPECT_EQ(own.start_s, 1);
-  EXPECT_EQ(own.end_s, 3);
+  EXPECT_EQ(own.window.start_s, 1);
+  EXPECT_EQ(own.window.end_s, 3);
   EXPECT_EQ(own.preparation.rate_Hz, 500);
   EXPECT_EQ(own.preparation.bridge_s, 0.02);
   EXPECT_EQ(own.preparation.others.at(0).path.filename(), "force.csv");
