@@ -70,7 +70,7 @@ void ReadLoads(FileReading& reading) {
   for (const StaticMeasurement& load : *loads) reading.channels.push_back({load.name, load.dimension});
 }
 
-/// What a post was told to do, where the file has what it did.
+/// Channels of commands, beside those of how the posts moved.
 void LeaveOutCommands(FileReading& reading) {
   std::vector<std::string> lengths;
   for (const OfferedChannel& channel : reading.channels)

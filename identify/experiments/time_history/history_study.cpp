@@ -121,6 +121,8 @@ class HistoryReader {
     if (channels.size() > 0 || node.size() == 0)
       history.actuators = ReadChannelSources(channels, "'actuators' of " + where_, "actuators", ChannelKind::kHistory,
                                              file_, diagnostics_);
+    // A clone has no lines.
+    for (auto& [name, source] : history.actuators) source.line = LineOf(node[name]);
   }
 
   std::optional<LowPassDesign> Filter(const YAML::Node& node) {
