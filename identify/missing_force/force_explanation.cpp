@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "identify/missing_force/joint_amounts.h"
 #include "identify/missing_force/weighed_forces.h"
 
 namespace fourpost {
@@ -22,7 +23,7 @@ constexpr double kSuspicious = 4.5;
 /// Scores that differ by less, or by this share, do not separate mechanisms.
 constexpr double kApart = 9;
 constexpr double kShareApart = 0.1;
-/// Of what noise does not explain, below which an explanation is none.
+/// Share of what noise does not explain, below which an explanation is none.
 constexpr double kLeastShare = 0.1;
 
 /// The best of its shape, by steps that shrink.
@@ -63,7 +64,7 @@ bool IsSamePlace(const ForceMechanism& a, const ForceMechanism& b) {
   return a.kind == b.kind && a.lines == b.lines && a.link == b.link;
 }
 
-/// Of each kind and place the best, the best of all first.
+/// The best of each kind and place, the best of all first.
 std::vector<TriedForce> BestOfEach(WeighedForces& forces, const std::vector<ForceMechanism>& all,
                                    const std::vector<ForceExplanation>& before) {
   std::vector<TriedForce> best;
@@ -85,7 +86,7 @@ std::vector<TriedForce> BestOfEach(WeighedForces& forces, const std::vector<Forc
 
 using BySample = std::vector<std::pair<double, double>>;
 
-/// Of each frequency, over all recordings, in rising order.
+/// Sums of a number of each sample by frequency, over all recordings, in rising order.
 BySample ByFrequency(const ForceRecord& record, const std::vector<double>& of_samples) {
   constexpr double kSame = 1e-3;
   BySample all;
@@ -224,21 +225,6 @@ std::optional<UnexplainedForce> LeftOf(const ForceRecord& record, const WeighedF
   return left;
 }
 
-/// Amounts beside each other, without those that are then no longer there.
-void Reconsider(const ForceRecord& record, const WeighedForces& forces, std::vector<ForceExplanation>& found) {
-  constexpr double kThere = 3;
-  const auto [amounts, covariance] = forces.Amounts();
-  const double noise = std::max(1.0, forces.Squares() / forces.degrees());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto j = static_cast<Eigen::Index>(i);
-    found[i].amount = amounts[j];
-    found[i].sd = std::sqrt(noise * covariance(j, j));
-  }
-  std::erase_if(found, [&](const ForceExplanation& one) {
-    return !one.mechanism.Allows(one.amount, record) || !(one.amount > kThere * one.sd);
-  });
-}
-
 }  // namespace
 
 ForceExplanations ExplainForce(const ForceRecord& record) {
@@ -256,8 +242,8 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);
   }
-  explanations.left = LeftOf(record, forces);
-  if (explanations.found.size() > 1) Reconsider(record, forces, explanations.found);
+  explanations.left = explanations.found.size() > 1 ? LeftOf(record, EstimateTogether(record, explanations.found))
+                                                    : LeftOf(record, forces);
   return explanations;
 }
 

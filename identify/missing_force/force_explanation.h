@@ -19,7 +19,7 @@ struct ForceExplanation {
   double upper_Hz = 0;
   /// Its largest force or moment on a coordinate, over that band; along its line where it has one [N].
   double most_N = 0;
-  /// Of the squares that noise does not explain, before anything was taken out.
+  /// Share of the squares that noise does not explain, before anything was taken out.
   double share = 0;
   /// Fall of the sum of squares over its mean when nothing is missing, less what choosing its shape is worth: the
   /// square of a normal variable then.
@@ -50,9 +50,9 @@ struct ForceExplanations {
 /// t_i a standard normal variable, the mechanism is chosen that lowers the weighted squares most; it is taken out and
 /// the search goes on, at most three times. Nothing is named that is below 4.5 standard deviations, noise widened where
 /// what is left over is correlated or exceeds it, also without the frequency that speaks for it most, for one wrong
-/// reading is explained best by a part that resonates there; or that explains less than a tenth; or whose amount is
-/// less than three of its standard deviations beside the others. Amounts are in the scale of the fitted masses, rates
-/// and dampings, whose common factor motions do not show.
+/// reading is explained best by a part that resonates there; or that explains less than a tenth. Of
+/// several, the weakest is dropped while its amount is less than three of its standard deviations beside the others.
+/// Amounts are in the scale of the fitted masses, rates and dampings, whose common factor motions do not show.
 ForceExplanations ExplainForce(const ForceRecord& record);
 
 }  // namespace fourpost

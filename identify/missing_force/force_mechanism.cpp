@@ -109,11 +109,9 @@ void AddParts(const ForceRecord& record, std::size_t link, std::vector<ForceMech
 }  // namespace
 
 bool ForceMechanism::Allows(double amount, const ForceRecord& record) const {
-  // A reading of a good rig is off by as much.
-  constexpr double kLeastOfMass = 1e-3;
   if (!lines.empty()) return amount >= 0;
   const double mass = record.links[link].mass;
-  return amount >= kLeastOfMass * mass && amount <= mass;
+  return amount >= kLeastShareOfMass * mass && amount <= mass;
 }
 
 Eigen::MatrixXd ForceDirections(const ForceMechanism& mechanism, const ForceRecord& record) {

@@ -10,6 +10,9 @@
 
 namespace fourpost {
 
+/// Share of a body's mass by which any reading of a good rig may be off: no mass or part is named that is lighter.
+inline constexpr double kLeastShareOfMass = 1e-3;
+
 /// Something that a car may have and its model lacks, whose force follows from the motion up to an amount a:
 /// - along lines, tension a e (stiffness, N/m), a e' (damping, N s/m), a tanh(e' / 2 mm/s) (friction, N);
 /// - at a link, a mass a [kg] on its centre of mass, or on mounts above a place of it, which answers a vertical
@@ -29,7 +32,7 @@ struct ForceMechanism {
   /// How many numbers beside the amount are chosen to explain most.
   int ShapeNumbers() const { return kind == Kind::kPartOnMounts ? 3 : 0; }
   /// Whether a car can lack this much of it: what it has too much of is not missing; no mass or part is heavier than
-  /// the link that carries it, or lighter than a thousandth of it, by which any reading may be off.
+  /// the link that carries it, or lighter than kLeastShareOfMass of it.
   bool Allows(double amount, const ForceRecord& record) const;
 };
 

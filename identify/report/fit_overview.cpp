@@ -6,6 +6,7 @@
 #include "analysis/files/json_text.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
+#include "identify/fit/fit_result.h"
 #include "identify/study_file/result_reader.h"
 #include "identify/uncertainty/misfit_limits.h"
 
@@ -14,10 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// As FitResult::IsMostlyInputNoise().
-constexpr double kMostlyPostNoise = 0.5;
-
-/// Of older runs what deviations were multiplied by, which is the same where no loss bounds the pull of outliers.
+/// Runs of older versions hold what deviations were multiplied by, which is the same where no loss bounds the pull of
+/// outliers.
 double WholeMisfit(const Json& result) {
   const double misfit = NumberAt(result, "misfit");
   return std::isfinite(misfit) ? misfit : NumberAt(result.value("identifiability", Json()), "sd_inflation");
@@ -71,18 +70,37 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// Runs of older versions hold no such number; that of the data's degrees of freedom is the same where no recorded
+/// input has noise, and no parameter a prior.
+double ExpectedSquares(const Json& result) {
+  const double expected = NumberAt(result, "expected_squares");
+  if (std::isfinite(expected)) return expected;
+  return NumberAt(result, "residuals") - NumberAt(result.value("identifiability", Json()), "rank");
+}
+
 }  // namespace
 
 FitOverview OverviewOf(const Json& result) {
   FitOverview overview{.misfit = WholeMisfit(result)};
+  overview.expected_squares = ExpectedSquares(result);
   overview.explained = ExplainedBy(overview.misfit);
   overview.is_calibrated = !ListAt(result.value("intervals", Json()), "calibrations").empty();
-  overview.is_mostly_post_noise = NumberAt(result, "post_noise_share") > kMostlyPostNoise;
+  overview.is_mostly_post_noise = NumberAt(result, "post_noise_share") > kMostlyInputNoise;
   overview.channels = JudgeChannels(ListAt(result, "channels"));
   overview.unseen = JudgeChannels(ListAt(result, "validation"));
   AddDisagreement(result, overview);
   overview.verdict = VerdictOf(result, overview);
   return overview;
+}
+
+std::string VerdictWord(const FitOverview& overview) {
+  return overview.verdict == "open" ? "not finished" : overview.verdict;
+}
+
+std::string AdviceOnDisagreement(const FitOverview& overview) {
+  if (overview.disagree.empty() || overview.IsExplained()) return "";
+  return "First check what was measured (gain, sign, delay, position and noise of each channel and post); if it is "
+         "right, the model lacks something.";
 }
 
 std::string ResidualSentence(const FitOverview& overview) {
@@ -105,7 +123,7 @@ std::string WorstSentence(const FitOverview& overview) {
                      (std::isfinite(worst->misfit) ? Rounded(worst->misfit, 2) + " times noise and stated model error"
                                                    : worst->numbers);
   if (worst->worst)
-    text += "; most of it in " + Quoted(worst->worst->recording) + " from " + ShortNumber(worst->worst->lower_Hz, 3) +
+    text += "; largest in " + Quoted(worst->worst->recording) + " from " + ShortNumber(worst->worst->lower_Hz, 3) +
             " to " + ShortNumber(worst->worst->upper_Hz, 3) + " Hz (" + Rounded(worst->worst->misfit, 2) +
             " times there)";
   return text + '.';
@@ -130,6 +148,7 @@ nlohmann::ordered_json OverviewJson(const FitOverview& overview) {
   }
   return {{"verdict", overview.verdict},
           {"misfit", NumberOrNull(overview.misfit)},
+          {"expected_squares", NumberOrNull(overview.expected_squares)},
           {"is_calibrated", overview.is_calibrated},
           {"worst", worst}};
 }

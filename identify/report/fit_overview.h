@@ -23,14 +23,17 @@ struct FitOverview {
   /// Residuals of the data over their degrees of freedom, as a multiple of noise and stated model error, root mean
   /// square; calibrated where the study states calibrations. NaN: unknown.
   double misfit = 0;
+  /// What the sum of squares of the data's residuals is by noise and stated model error alone: their degrees of
+  /// freedom, and what noise of recorded inputs adds. The misfit is the root of that sum over it. NaN: unknown.
+  double expected_squares = 0;
   Explained explained = Explained::kUnknown;
   bool is_calibrated = false;
   /// Most of what is counted as noise is that of the recorded posts.
   bool is_mostly_post_noise = false;
   /// Best first. The worst channel is the last one of `channels`; its misfit is that over all recordings and the whole
-  /// band, its worst place that in which most of it lies.
+  /// band, its worst place that in which it is largest.
   std::vector<JudgedChannel> channels;
-  /// Of recordings that were not fitted.
+  /// Those of recordings that were not fitted.
   std::vector<JudgedChannel> unseen;
   /// Partitions of the data whose parts ask for different parameters, beyond noise: "octaves"; empty where none does.
   std::vector<std::string> disagree;
@@ -45,22 +48,26 @@ struct FitOverview {
   bool IsExplained() const { return explained == Explained::kYes || explained == Explained::kOverstated; }
 };
 
-/// Of a result.json.
+/// The figures of a result.json.
 FitOverview OverviewOf(const nlohmann::json& result);
 
 // Sentences, with names between backticks; empty where nothing is known or nothing is to say.
 
+/// "good", "fair", "poor" or "not finished".
+std::string VerdictWord(const FitOverview& overview);
 /// "Residuals are 2.2 times what noise and the stated model error explain; about 1 is expected."
 std::string ResidualSentence(const FitOverview& overview);
-/// "Worst channel: `s_strut`, 5.9 times noise and stated model error; most of it in `pitch` from 0.5 to 1 Hz (11
-/// times)."
+/// "Worst channel: `s_strut`, 5.9 times noise and stated model error; largest in `pitch` from 0.5 to 1 Hz (11
+/// times there)."
 std::string WorstSentence(const FitOverview& overview);
 /// "Parts of the data (sensor groups, octaves) ask for different parameters, beyond noise; the intervals allow for
 /// that."
 std::string DisagreementSentence(const FitOverview& overview);
+/// What to do about it; empty where the stated model error allows for it.
+std::string AdviceOnDisagreement(const FitOverview& overview);
 
-/// For the scripts of a page: `verdict`, `misfit`, `is_calibrated`, and of the `worst` channel `name`, `misfit`, and
-/// its `place`, null where there is none.
+/// For the scripts of a page: `verdict`, `misfit`, `expected_squares`, `is_calibrated`, and of the `worst` channel
+/// `name`, `misfit`, and its `place`, null where there is none.
 nlohmann::ordered_json OverviewJson(const FitOverview& overview);
 
 }  // namespace fourpost

@@ -189,11 +189,8 @@ std::string WhyWide(const FitOverview& overview, const std::vector<ReportedParam
   const double wider = std::isfinite(overview.wider_than_by_noise) ? overview.wider_than_by_noise
                        : shares.empty()                            ? std::nan("")
                                                                    : Median(shares);
-  std::string text = CodeHtml(DisagreementSentence(overview));
-  if (!overview.IsExplained())
-    text +=
-        " First check what was measured: gain, sign, delay, position and noise of each channel and post. If that is "
-        "right, the model lacks something.";
+  const std::string advice = AdviceOnDisagreement(overview);
+  std::string text = CodeHtml(DisagreementSentence(overview)) + (advice.empty() ? "" : " " + advice);
   if (std::isfinite(wider))
     text += " By noise alone the intervals would be " + ShownNumber(wider, 2) + " times narrower.";
   return html::Element("p", "", text) + '\n';

@@ -189,7 +189,8 @@ std::string ChannelTableHtml(const Json& result) {
   std::vector<std::string> head = {"channel", "rms, dB", "rms, deg"};
   if (has_noise) head.emplace_back("correlation of neighbouring residuals");
   return (rows.empty() ? "" : html::Table(head, rows)) + HistoryTable("fitted recording", histories) +
-         HistoryTable("validation recording", ListAt(result, "validation")) + html::Folded("What the channels allow without physics", YardstickHtml(result)) + ReleaseHtml(result);
+         HistoryTable("validation recording", ListAt(result, "validation")) +
+         html::Folded("What the channels allow without physics", YardstickHtml(result)) + ReleaseHtml(result);
 }
 
 std::string ModeTableHtml(const Json& modes) {

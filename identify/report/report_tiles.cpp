@@ -1,6 +1,7 @@
 #include "identify/report/report_tiles.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "analysis/report/html.h"
@@ -20,10 +21,9 @@ std::string CountOf(std::size_t part, std::size_t all) {
   return std::to_string(part) + "<small> of " + std::to_string(all) + "</small>";
 }
 
-std::string WordOf(const std::string& verdict) {
-  if (verdict == "good") return "Good";
-  if (verdict == "fair") return "Fair";
-  return verdict == "poor" ? "Poor" : "Not finished";
+std::string Capitalised(std::string word) {
+  word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+  return word;
 }
 
 std::string Misfit(double misfit) {
@@ -32,7 +32,7 @@ std::string Misfit(double misfit) {
 }
 
 std::string PlaceText(const WorstPlace& place) {
-  return "; most in " + place.recording + " at " + ShownShort(place.lower_Hz, 3) + "\u2013" +
+  return "; largest in " + place.recording + " at " + ShownShort(place.lower_Hz, 3) + "\u2013" +
          ShownShort(place.upper_Hz, 3) + " Hz";
 }
 
@@ -77,8 +77,8 @@ std::string Trust(const std::vector<ReportedParameter>& parameters) {
 
 std::string TilesHtml(const FitOverview& overview, const std::vector<ReportedParameter>& parameters) {
   return "<div class=\"tiles " + overview.verdict + "\">\n<div class=\"tile\"><span>Fit</span><b class=\"word\">" +
-         WordOf(overview.verdict) + "</b></div>\n" + Misfit(overview.misfit) + WorstChannel(overview.Worst()) +
-         Predicts(overview.unseen) + Trust(parameters) + "</div>\n";
+         Capitalised(VerdictWord(overview)) + "</b></div>\n" + Misfit(overview.misfit) +
+         WorstChannel(overview.Worst()) + Predicts(overview.unseen) + Trust(parameters) + "</div>\n";
 }
 
 }  // namespace fourpost

@@ -110,8 +110,8 @@ ReportSection SectionOf(const ShownRides& shown, std::size_t i, const CurveGroup
   std::string title = ride.motion;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return {"ride-" + std::to_string(i + 1), title,
-          html + SentencesHtml(RideMethod(ride) + '\n' + RideFoot(ride)) + RideTermsHtml() + "<h3>Power spectra</h3>\n" +
-              (i == 0 ? html::Drawn("sliders") : "") + "<div class=\"follows\"><div>" +
+          html + SentencesHtml(RideMethod(ride) + '\n' + RideFoot(ride)) + RideTermsHtml() +
+              "<h3>Power spectra</h3>\n" + (i == 0 ? html::Drawn("sliders") : "") + "<div class=\"follows\"><div>" +
               CurvesHtml(spectra, "spectra.csv") + "</div></div>\n"};
 }
 

@@ -74,8 +74,8 @@ std::string RecordingContradictions(const FitResult& fit) {
   return text;
 }
 
-/// A sentence of an overview, with names as messages have them, in lines of a terminal.
-std::string Told(std::string sentence) {
+/// Sentences of an overview, with names as messages have them, in lines of a terminal.
+std::string WrappedForTerminal(std::string sentence) {
   constexpr std::size_t kWidth = 118;
   std::replace(sentence.begin(), sentence.end(), '`', '\'');
   std::string text;
@@ -97,11 +97,7 @@ std::string IntervalBasis(const FitOverview& overview) {
   for (std::size_t i = 0; i < overview.disagree.size(); ++i)
     ways += (ways.empty() ? "  Parameters differ between " : ", between ") + overview.disagree[i] + " " +
             Rounded(overview.disagreement[i], 2) + " times" + (ways.empty() ? " as much as noise explains" : "");
-  return Told(DisagreementSentence(overview)) +
-         (overview.IsExplained()
-              ? ""
-              : "First check what was measured (gain, sign, delay, place and noise of each channel and post); if it is "
-                "right, the\nmodel lacks something.\n") +
+  return WrappedForTerminal(DisagreementSentence(overview)) + WrappedForTerminal(AdviceOnDisagreement(overview)) +
          ways + ".\n  By noise alone the intervals would be " + Rounded(overview.wider_than_by_noise, 2) +
          " times narrower.\n"
          "  Limited by noise: measure longer or more often; by the stated error: state a smaller one if you trust the\n"
@@ -230,8 +226,9 @@ std::string MissingText(const nlohmann::ordered_json& missing, bool is_large) {
 std::string Judgement(const FitResult& fit, const FitOverview& overview, const nlohmann::ordered_json& missing) {
   if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
-  std::string text = "Fit: " + overview.verdict + ". " + Told(ResidualSentence(overview)) +
-                     Told(WorstSentence(overview)) + MissingText(missing, overview.explained == Explained::kNo);
+  std::string text = WrappedForTerminal("Fit: " + VerdictWord(overview) + ". " + ResidualSentence(overview)) +
+                     WrappedForTerminal(WorstSentence(overview)) +
+                     MissingText(missing, overview.explained == Explained::kNo);
   if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
   text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";

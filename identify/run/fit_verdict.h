@@ -29,8 +29,7 @@ struct FitVerdict {
 /// - most parameters are at their bounds and the misfit is more than 1.5 times what noise and model error explain;
 /// - more than a quarter of them is, the misfit is more than 3, and most channels have an error above 5 %;
 /// - most channels have an error above 20 %, and the misfit is more than 1.5: what noise and the stated model error
-/// allow
-///   is no fault of the model. Without a misfit that is not known.
+///   allow is no fault of the model. Without a misfit that is not known.
 /// Decibels and degrees are not counted: next to a node they are large in a good model. A fit that was interrupted is
 /// not judged: no reasons.
 FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares, const Diagnostics& accepted = {});

@@ -300,6 +300,9 @@ Json Refinement(const RefineOptions& options) {
   return refinement;
 }
 
+/// What the misfit is relative to.
+double ExpectedSquares(const FitResult& fit) { return fit.data_squares / (fit.Misfit() * fit.Misfit()); }
+
 }  // namespace
 
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Json& of_experiments,
@@ -316,6 +319,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"cost", NumberOrNull(fit.cost)},
                {"residuals", fit.residual_count},
                {"misfit", NumberOrNull(fit.Misfit())},
+               {"expected_squares", NumberOrNull(ExpectedSquares(fit))},
                {"post_noise_share", fit.InputNoiseShare()},
                {"seed", seed},
                {"evaluations", Evaluations(fit)},

@@ -4,14 +4,12 @@
 
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
+#include "identify/missing_force/force_mechanism.h"
 #include "identify/suggest/addition_source.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
-
-/// Of a body's mass, by which readings of a good rig are off: no part is named that is lighter.
-constexpr double kLeastShare = 1e-3;
 
 /// The heaviest body; -1 where none has a mass.
 int HeaviestOf(const Vehicle& vehicle, const std::vector<double>& values) {
@@ -113,7 +111,7 @@ class BodyAdditions {
       return numbers;
     };
     addition.first = 0.05;
-    addition.least = kLeastShare;
+    addition.least = kLeastShareOfMass;
     addition.greatest = 0.4;
     const std::vector<double> values = addition.values(addition.first);
     const std::string part = source_.ElementName("part", body_.name, false);
@@ -134,7 +132,7 @@ class BodyAdditions {
     const std::string text = "suggested: " + words_;
     std::vector<NewParameter> parameters = {{.name = source_.ParameterName("m_part", {body_.name}),
                                              .dimension = kMass,
-                                             .lower = kLeastShare * whole_,
+                                             .lower = kLeastShareOfMass * whole_,
                                              .upper = 0.4 * whole_,
                                              .source = text,
                                              .bound_to = "link[" + part + "]/mass"},

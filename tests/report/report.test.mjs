@@ -65,7 +65,7 @@ describe('the report of a fit to frequency responses', () => {
     const page = await open(report);
     const link = page.locator('[data-worst]');
     const name = await link.textContent();
-    const [, recording] = /most in (\w+) at [\d.]+\u2013[\d.]+ Hz/.exec(await page.locator('.tile', { has: link }).textContent());
+    const [, recording] = /largest in (\w+) at [\d.]+\u2013[\d.]+ Hz/.exec(await page.locator('.tile', { has: link }).textContent());
     await link.click();
     assert.equal(await page.locator('#responses .group[aria-label=recording] button[aria-pressed=true]').textContent(), recording);
     await page.locator(`#responses .chart.found[data-channel="${name}"]`).waitFor();

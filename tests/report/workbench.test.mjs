@@ -105,7 +105,7 @@ describe('errors', () => {
     assert.ok(result.channels.every((channel) => channel.misfit <= misfit));
     const two = (value) => (value < 9.95 ? value.toFixed(1) : value.toFixed(0));
     const tile = await page.locator('.tile', { has: page.locator('[data-worst]') }).textContent();
-    assert.match(tile, new RegExp(`${name}.*${two(misfit)} times noise.*most in ${place.recording} at ${place.band_Hz[0]}\u2013${place.band_Hz[1]} Hz`));
+    assert.match(tile, new RegExp(`${name}.*${two(misfit)} times noise.*largest in ${place.recording} at ${place.band_Hz[0]}\u2013${place.band_Hz[1]} Hz`));
     const verdict = await page.locator('.verdict').textContent();
     assert.ok(verdict.includes(`Worst channel: ${name}, ${two(misfit)} times`) && verdict.includes(`(${two(place.misfit)} times there)`), verdict);
     assert.ok(verdict.includes(`Residuals are ${two(result.misfit)} times`) && (await page.locator('.tile b').nth(1).textContent()) === two(result.misfit));

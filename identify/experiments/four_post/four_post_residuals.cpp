@@ -6,7 +6,6 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include "analysis/process/thread_time.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/text_table.h"
+#include "identify/experiments/four_post/coarse_runs.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/residuals/calibrated_sensor.h"
@@ -315,34 +315,6 @@ Eigen::MatrixXd ByCalibrations(const CondensedVehicle& vehicle, const std::vecto
   return changes;
 }
 
-/// Every fourth frequency from the lowest on; all where these are few.
-MeasuredRun Coarse(const MeasuredRun& run) {
-  constexpr std::size_t kStep = 4;
-  // The full Land Rover keeps 16 of 64 over six octaves, and from all three of its starts they lead to its best
-  // optimum.
-  constexpr std::size_t kLeast = 12;
-  const std::vector<double>& frequencies = run.excitation.frequency_Hz;
-  if (frequencies.size() < kStep * kLeast) return run;
-  std::vector<std::size_t> order(frequencies.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return frequencies[a] < frequencies[b]; });
-  std::vector<bool> keep(frequencies.size());
-  for (std::size_t i = 0; i < order.size(); i += kStep) keep[order[i]] = true;
-  return AtFrequencies(run, keep);
-}
-
-/// Nothing where no run has frequencies to spare.
-std::optional<std::vector<MeasuredRun>> Coarse(const std::vector<MeasuredRun>& runs) {
-  std::vector<MeasuredRun> coarse;
-  std::size_t left_out = 0;
-  for (const MeasuredRun& run : runs) {
-    coarse.push_back(Coarse(run));
-    left_out += run.excitation.frequency_Hz.size() - coarse.back().excitation.frequency_Hz.size();
-  }
-  return left_out > 0 ? std::optional(std::move(coarse)) : std::nullopt;
-}
-
 ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                       const ModelError& model_error, bool integrates, std::shared_ptr<KnownAnswers> answers = nullptr) {
   const Eigen::Index count = CountOf(runs, model_error);
@@ -385,7 +357,7 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations,
                                 bool integrates, std::shared_ptr<KnownAnswers> answers) {
   ResidualBlock block = BlockOf(vehicle, runs, model_error, integrates, std::move(answers));
-  if (std::optional<std::vector<MeasuredRun>> coarse = Coarse(runs))
+  if (std::optional<std::vector<MeasuredRun>> coarse = CoarseRuns(runs))
     block.coarse = std::make_shared<const ResidualBlock>(BlockOf(vehicle, *std::move(coarse), model_error, integrates));
   if (!calibrations.empty())
     block.by_calibrations = [vehicle, runs, count = block.count, model_error,

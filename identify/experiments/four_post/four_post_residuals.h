@@ -26,14 +26,14 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
                                 const ModelError& model_error, const std::vector<Calibration>& calibrations = {},
                                 bool integrates = true, std::shared_ptr<KnownAnswers> answers = nullptr);
 
-/// Of one channel of a run at its frequency `i`, the sum of the squares of both residuals of its response; NaN where the
-/// model has no answer.
+/// Sum of the squares of both residuals of the response of a run's channel at its frequency `i`; NaN where the model
+/// has no answer.
 double SquaredDeviation(const MeasuredRun& run, const MeasuredChannel& channel, const FrequencyResponse& modelled,
                         const ModelError& model_error, std::size_t i);
 
-/// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
-/// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.
-/// Frequencies at which it has none are left out; NaN where that is all of them.
+/// Root mean square of those residuals for each channel of a run: how many times what noise and model error explain.
+/// `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle. Frequencies at which it has
+/// none are left out; NaN where that is all of them.
 std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
                                        const ModelError& model_error);
 

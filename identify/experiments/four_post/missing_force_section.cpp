@@ -23,12 +23,16 @@ std::string RivalsOf(const nlohmann::json& explanation) {
   return rivals;
 }
 
-/// "near 17.8 Hz (nine tenths of it from 15 to 20 Hz)"; empty where the force is within its noise, or of an older run.
+/// "lies near 17.8 Hz (nine tenths of it from 15 to 20 Hz)"; empty where the force is within its noise. Runs of older
+/// versions know by its misfit alone that it exceeds that.
 std::string WhereSeen(const nlohmann::json& missing) {
+  constexpr double kBeyondNoise = 1.5;
+  if (!missing.is_object()) return "";
+  if (!missing.contains("unexplained") && NumberAt(missing, "misfit") > kBeyondNoise) return "exceeds its noise";
   const nlohmann::json left = missing.value("unexplained", nlohmann::json());
   const double frequency = NumberAt(left, "frequency_Hz");
   if (!std::isfinite(frequency)) return "";
-  return "near " + ShownShort(frequency, 3) + " Hz (nine tenths of it from " + BandOf(left) + " Hz)";
+  return "lies near " + ShownShort(frequency, 3) + " Hz (nine tenths of it from " + BandOf(left) + " Hz)";
 }
 
 /// What a fit with it would gain by, where the force alone names nothing; empty of runs that did not look or found
@@ -56,7 +60,7 @@ std::string ExplanationTable(const nlohmann::json& missing, const nlohmann::json
   if (rows.empty()) {
     const std::string seen = WhereSeen(missing);
     return seen.empty() ? "<p>No mechanism is named: the force is within its noise.</p>\n"
-                        : "<p>No mechanism is named: the force lies " + seen +
+                        : "<p>No mechanism is named: the force " + seen +
                               ", and with the parameters as fitted none of those tried has a tenth of it, at more than "
                               "one frequency. What fitted parameters took up of it no longer shows here." +
                               InsteadByFit(result) + "</p>\n";
@@ -118,9 +122,9 @@ std::string MissingForceRemark(const nlohmann::json& result) {
     const std::string seen = WhereSeen(result.value("missing_force", nlohmann::json::object()));
     // What was tried in a fit names it.
     const bool is_named = !ListAt(result.value("missing", nlohmann::json()), "suggestions").empty();
-    return seen.empty() || is_named
-               ? ""
-               : "In the measured motion the equations lack a force " + seen + "; no mechanism that was tried has it.";
+    return seen.empty() || is_named ? ""
+                                    : "In the measured motion the equations lack a force that " + seen +
+                                          "; no mechanism that was tried has it.";
   }
   const nlohmann::json& first = found.front();
   return "In the measured motion the equations lack a force like " +

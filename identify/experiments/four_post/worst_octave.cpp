@@ -10,7 +10,7 @@
 namespace fourpost {
 namespace {
 
-/// Of residuals, two at each frequency.
+/// Squares of residuals, two at each frequency.
 struct OctaveSquares {
   double squares = 0;
   int frequencies = 0;

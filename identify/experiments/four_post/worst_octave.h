@@ -9,7 +9,8 @@
 
 namespace fourpost {
 
-/// Where the residuals of a channel's responses are largest: recording and octave, cut at the limits of the fitted band.
+/// Where the residuals of a channel's responses are largest: recording and octave, cut at the limits of the fitted
+/// band.
 struct WorstOctave {
   std::string recording;
   double lower_Hz = 0;
@@ -23,8 +24,9 @@ struct FrequencyBand {
   double upper_Hz = 0;
 };
 
-/// Of octaves from whole powers of two, of which those with less than three frequencies count only where no other has
-/// more. `runs`: within the band; `modelled`: one response per run. Nothing where no residual is known.
+/// The octave with the largest misfit. Octaves begin at whole powers of two; those with fewer than three frequencies
+/// count only where no other has more. `runs`: within the band; `modelled`: one response per run. Nothing where no
+/// residual is known.
 std::optional<WorstOctave> WorstOctaveOf(const std::string& channel, const std::vector<MeasuredRun>& runs,
                                          const std::vector<FrequencyResponse>& modelled, const ModelError& model_error,
                                          const FrequencyBand& band);

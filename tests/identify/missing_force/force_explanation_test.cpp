@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "identify/missing_force/force_parts.h"
+#include "identify/missing_force/joint_amounts.h"
 #include "identify/search/draws.h"
 
 namespace fourpost::force_explanation_test {
@@ -50,7 +51,7 @@ LinkMotion LinkOf(const char* name, double mass, Eigen::Index coordinate) {
 }
 
 /// The tyre's rate is free: what a spring beside it would do, the fit has found already.
-ForceRecord RecordOf(const Planted& planted) {
+ForceRecord RecordOf(const Planted& planted, double noise_m = kNoise_m) {
   ForceRecord record{
       .runs = {"heave"}, .coordinates = {}, .lines = {}, .links = {}, .samples = {}, .not_measured = {{}}};
   record.coordinates = {{.name = "body", .shape = Eigen::Vector2d(1, 0)},
@@ -63,7 +64,7 @@ ForceRecord RecordOf(const Planted& planted) {
                    .post = 0}};
   record.links = {LinkOf("body", kBody, 0), LinkOf("wheel", kWheel, 1)};
   Draws draws(1, DrawPurpose::kNoise, 0, 0);
-  const auto noise = [&] { return Complex(kNoise_m * draws.Normal(), kNoise_m * draws.Normal()); };
+  const auto noise = [&] { return Complex(noise_m * draws.Normal(), noise_m * draws.Normal()); };
   for (int k = 0; k < 40; ++k) {
     ForceSample sample{.frequency_Hz = 0.6 * std::pow(30.0, k / 39.0)};
     const double w = sample.omega();
@@ -78,7 +79,7 @@ ForceRecord RecordOf(const Planted& planted) {
     sample.force = planted(motion, w) + impedance * off;
     sample.slope.resize(4, 4);
     sample.slope << impedance.real(), -impedance.imag(), impedance.imag(), impedance.real();
-    sample.information = Eigen::Matrix2d::Identity() / (kNoise_m * kNoise_m);
+    sample.information = Eigen::Matrix2d::Identity() / (noise_m * noise_m);
     const double percent = 0.01 * kTyre;
     sample.by_parameters = Stacked(Eigen::Vector2cd(0, percent * (sample.amplitude_m - motion[1])));
     sample.nuisance = sample.by_parameters;
@@ -99,9 +100,13 @@ ForceExplanation OnlyOne(const Planted& planted) {
 }
 
 /// Three standard deviations, and this share of it.
-void ExpectAmount(const ForceExplanation& one, double planted, double share = 0) {
+void ExpectNear(const ForceExplanation& one, double planted, double share = 0) {
   EXPECT_NEAR(one.amount, planted, 3 * one.sd + share * planted);
   EXPECT_LT(one.sd, 0.1 * planted);
+}
+
+void ExpectAmount(const ForceExplanation& one, double planted, double share = 0) {
+  ExpectNear(one, planted, share);
   EXPECT_GT(one.share, 0.9);
 }
 
@@ -187,14 +192,25 @@ TEST(ForceExplanation, NamesNothingByOneFrequencyButSaysWhereItIs) {
   EXPECT_EQ(explained.left->upper_Hz, wrong.frequency_Hz);
 }
 
-// 45 g in a body of 300 kg, undamped: three standard deviations of a reading's gain are a mass of the same size.
-TEST(ForceExplanation, NamesNoPartThatIsNothingBesideItsBody) {
-  const ForceExplanations explained = ExplainForce(RecordOf([](const Eigen::Vector2cd& motion, double w) {
+/// What is named of a part of this mass on mounts in the body, at a twentieth of the noise.
+std::vector<ForceExplanation> NamedOfPart(double mass) {
+  const auto planted = [mass](const Eigen::Vector2cd& motion, double w) {
     const double r = w / (2 * pi * 9);
-    const Complex loss(0, 2 * 1e-3 * r);
-    return Eigen::Vector2cd(0.045 * w * w * motion[0] * (1.0 + loss) / (1 - r * r + loss), 0);
-  }));
-  for (const ForceExplanation& one : explained.found) EXPECT_GE(one.amount, 1e-3 * kBody);
+    const Complex loss(0, 2 * 0.1 * r);
+    return Eigen::Vector2cd(mass * w * w * motion[0] * (1.0 + loss) / (1 - r * r + loss), 0);
+  };
+  return ExplainForce(RecordOf(planted, kNoise_m / 20)).found;
+}
+
+// A reading's gain may be off by a mass of the same size.
+TEST(ForceExplanation, NamesNoPartThatIsNothingBesideItsBody) {
+  constexpr double kLeast = kLeastShareOfMass * kBody;
+  const std::vector<ForceExplanation> heavier = NamedOfPart(2 * kLeast);
+  ASSERT_EQ(heavier.size(), 1U);
+  EXPECT_EQ(heavier[0].mechanism.kind, Kind::kPartOnMounts);
+  ExpectAmount(heavier[0], 2 * kLeast, 0.02);
+  for (const ForceExplanation& one : NamedOfPart(0.7 * kLeast))
+    EXPECT_FALSE(one.mechanism.kind == Kind::kPartOnMounts && one.mechanism.link == 0) << one.amount << " kg";
 }
 
 TEST(ForceExplanation, IsNoneOfWhatAFreeParameterCanDo) {
@@ -211,6 +227,28 @@ TEST(ForceExplanation, IsNoneOfTooMuchStiffness) {
                                        return ByTension(-3e3 * Extension(motion));
                                      })).found)
     EXPECT_NE(one.mechanism.kind, Kind::kSpring);
+}
+
+/// Springs at two places along nearly the same line, of which there is one.
+TEST(JointAmounts, KeepOneOfTwoThatDoTheSame) {
+  ForceRecord record =
+      RecordOf([](const Eigen::Vector2cd& motion, double) { return ByTension(3e3 * Extension(motion)); });
+  record.lines.push_back({.name = "other", .called = "damper 'other'", .direction = Eigen::Vector2d(1, -1.0001)});
+  const auto spring = [](std::size_t line) {
+    return ForceExplanation{.mechanism = {.kind = Kind::kSpring, .lines = {line}}};
+  };
+  WeighedForces both(record);
+  for (const std::size_t line : {0, 2}) both.TakeOut(spring(line).mechanism);
+  const auto [amounts, covariance] = both.Amounts();
+  // Beside each other both are below three standard deviations.
+  for (const Eigen::Index i : {0, 1}) ASSERT_LT(amounts[i], 3 * std::sqrt(covariance(i, i)));
+
+  std::vector<ForceExplanation> found = {spring(0), spring(2)};
+  const WeighedForces rest = EstimateTogether(record, found);
+  ASSERT_EQ(found.size(), 1U);
+  ExpectNear(found.front(), 3e3);
+  // As of noise, see IsNoneOfNoise.
+  EXPECT_NEAR(std::sqrt(rest.Squares() / rest.degrees()), 1, 0.17);
 }
 
 TEST(ForceParts, AreThoseOfEachElement) {

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 Json Fit() {
   return Json::parse(R"({
-    "termination": "converged", "misfit": 0.9, "starts": {"refined": 5, "agreeing": 5},
+    "termination": "converged", "misfit": 0.9, "expected_squares": 95.5, "starts": {"refined": 5, "agreeing": 5},
     "channels": [{"name": "a", "rms_dB": 0.2, "rms_deg": 1, "misfit": 0.8},
                  {"name": "s", "rms_dB": 0.3, "rms_deg": 2, "misfit": 1.2,
                   "worst": {"recording": "pitch", "band_Hz": [0.5, 1], "misfit": 1.44}}]})");
@@ -36,13 +36,26 @@ TEST(FitOverview, IsOneTableOfFigures) {
   ASSERT_NE(overview.Worst(), nullptr);
   EXPECT_EQ(overview.Worst()->name, "s");
   EXPECT_EQ(OverviewJson(overview), nlohmann::ordered_json::parse(R"({
-    "verdict": "good", "misfit": 0.9, "is_calibrated": false,
+    "verdict": "good", "misfit": 0.9, "expected_squares": 95.5, "is_calibrated": false,
     "worst": {"name": "s", "misfit": 1.2, "place": {"recording": "pitch", "band_Hz": [0.5, 1.0], "misfit": 1.44}}})"));
+}
+
+TEST(FitOverview, TakesDegreesOfFreedomForWhatSquaresOfAnOlderRunAreExpectedToBe) {
+  Json result = Fit();
+  result.erase("expected_squares");
+  EXPECT_TRUE(std::isnan(OverviewOf(result).expected_squares));
+  result.update({{"residuals", 100}, {"identifiability", {{"rank", 4}}}});
+  EXPECT_EQ(OverviewOf(result).expected_squares, 96);
+}
+
+TEST(FitOverview, CallsAFitThatWasInterruptedNotFinished) {
+  EXPECT_EQ(VerdictWord({.verdict = "open"}), "not finished");
+  EXPECT_EQ(VerdictWord({.verdict = "fair"}), "fair");
 }
 
 TEST(FitOverview, NamesTheWorstChannelAndWhereItIsWorst) {
   EXPECT_EQ(WorstSentence(OverviewOf(Fit())),
-            "Worst channel: `s`, 1.2 times noise and stated model error; most of it in `pitch` from 0.5 to 1 Hz (1.4 "
+            "Worst channel: `s`, 1.2 times noise and stated model error; largest in `pitch` from 0.5 to 1 Hz (1.4 "
             "times there).");
   EXPECT_EQ(WorstSentence(OverviewOf(Json::object())), "");
 }

@@ -38,7 +38,7 @@ TEST(ReportTiles, SayFourFiguresAndAWord) {
 TEST(ReportTiles, SayWhereTheWorstChannelIsWorst) {
   const FitOverview overview{.channels = {{.name = "s", .misfit = 5.88, .worst = WorstPlace{"pitch", 0.5, 1, 11.2}}}};
   EXPECT_THAT(TilesHtml(overview, {}),
-              HasSubstr("5.9 times noise and stated model error; most in pitch at 0.5\u20131 Hz"));
+              HasSubstr("5.9 times noise and stated model error; largest in pitch at 0.5\u20131 Hz"));
 }
 
 // A narrow range makes a small deviation, not a known value.

@@ -51,10 +51,24 @@ TEST(FitText, SpeaksInTheWordsOfTheOverview) {
                              .wider_than_by_noise = 4.8};
   EXPECT_THAT(TextOf(fit, overview),
               AllOf(HasSubstr("Fit: fair. Residuals are 2.2 times what noise and the stated model error explain"),
-                    HasSubstr("Worst channel: 's', 5.9 times noise and stated model error; most of it in 'pitch' from "
+                    HasSubstr("Worst channel: 's', 5.9 times noise and stated model error; largest in 'pitch' from "
                               "0.5 to 1 Hz (11 times there).\n"),
                     HasSubstr("Parts of the data (octaves) ask for different parameters, beyond noise;"),
                     HasSubstr("between octaves 62 times as much"), HasSubstr("would be 4.8 times narrower")));
+}
+
+TEST(FitText, WrapsWhatStandsBeforeASentenceWithIt) {
+  constexpr std::size_t kWidth = 118;
+  FitResult fit;
+  fit.covariance.emplace();
+  const std::string text = TextOf(fit, {.verdict = "open",
+                                        .misfit = 2.17,
+                                        .explained = Explained::kNo,
+                                        .is_calibrated = true,
+                                        .is_mostly_post_noise = true});
+  const std::size_t begin = text.find("Fit: not finished. Residuals are 2.2 times");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_LE(text.find('\n', begin) - begin, kWidth);
 }
 
 TEST(FitText, LeavesTheModelAloneWhereTheStatedErrorExplainsThatPartsDisagree) {

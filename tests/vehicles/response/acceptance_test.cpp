@@ -39,8 +39,8 @@ FrequencyResponse FullOf(Prepared& prepared, const Excitation& excitation) {
   return full.response;
 }
 
-/// At a quarter of the rig's amplitude 0.5 Hz does not repeat to the tolerance at an accuracy of 1e-7. The tolerance leaves
-/// a fifth of what is accepted there, and next to nothing above 1 Hz.
+/// At a quarter of the rig's amplitude 0.5 Hz does not repeat to the tolerance at an accuracy of 1e-7. The tolerance
+/// leaves a fifth of what is accepted there, and next to nothing above 1 Hz.
 FrequencyResponse MarchOf(Prepared& prepared, const Excitation& excitation) {
   const MarchedResponse marched =
       March(prepared.multibody, excitation, {.accuracy = 1e-8, .tolerance = 2e-4, .samples_per_cycle = 128});

@@ -86,7 +86,7 @@ function mapOf(recording, channels, band, left, width, worst) {
   const row = worst?.place?.recording === recording ? channels.findIndex(({ name }) => name === worst.name) : -1;
   if (row >= 0) {
     const [from, to] = worst.place.band_Hz.map((f) => x(f < low * 1.001 ? low / edge : f > high * 0.999 ? high * edge : f));
-    picture.append(svg('rect', { class: 'worst', x: from, y: top + rowHeight * row - 0.5, width: to - from, height: rowHeight - 0.5, fill: 'none' }, svg('title', {}, `worst channel, where most of it lies: ${shown(worst.place.misfit, 2)} times noise and stated model error`)));
+    picture.append(svg('rect', { class: 'worst', x: from, y: top + rowHeight * row - 0.5, width: to - from, height: rowHeight - 0.5, fill: 'none' }, svg('title', {}, `worst channel, where its misfit is largest: ${shown(worst.place.misfit, 2)} times noise and stated model error`)));
   }
   picture.append(cursor);
   let last = -Infinity;

@@ -64,10 +64,10 @@ export function squaresOf(channels, answers, error) {
 }
 
 /**
- * Misfit of the whole fit where responses have other squares than those of the fit; all else stays as fitted. `degrees`: of
- * freedom, of all residuals.
+ * Misfit of the whole fit where responses have other squares than those of the fit; all else stays as fitted. `expected`:
+ * the sum of squares of which noise and stated model error make a misfit of 1.
  */
-export const movedMisfit = (whole, fitted, now, degrees) => Math.sqrt(Math.max(0, whole * whole + (now.sum - fitted.sum) / degrees));
+export const movedMisfit = (whole, fitted, now, expected) => Math.sqrt(Math.max(0, whole * whole + (now.sum - fitted.sum) / expected));
 
 /** Root mean square of residuals, with the degrees of freedom that a fit of so many parameters, or none, takes of all residuals. */
 export function misfitOf(parts, parameters, residuals) {

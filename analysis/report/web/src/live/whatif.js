@@ -111,13 +111,13 @@ class Car {
     if (!squares?.count) return null;
     const { parameters, residuals } = this.data.result;
     const whole = this.whole();
-    return whole ? movedMisfit(whole, this.fitted, squares, residuals - parameters.length) : misfitOf([squares], parameters.length, residuals);
+    return whole ? movedMisfit(whole, this.fitted, squares, this.data.overview.expected_squares) : misfitOf([squares], parameters.length, residuals);
   }
 
   /** Null where the page has none that responses alone would move. */
   whole() {
-    const { misfit, is_calibrated: isCalibrated } = this.data.overview ?? {};
-    return misfit > 0 && !isCalibrated && this.fitted?.count ? misfit : null;
+    const { misfit, expected_squares: expected, is_calibrated: isCalibrated } = this.data.overview ?? {};
+    return misfit > 0 && expected > 0 && !isCalibrated && this.fitted?.count ? misfit : null;
   }
 }
 
