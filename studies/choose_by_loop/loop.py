@@ -2,9 +2,9 @@
 """The thesis's loop: identify dampers and car, choose their clicks, test a few on the rig, identify and choose again.
 
     loop.py PROGRAM FOLDER      # one car; open FOLDER/choice_2/choose.html
-    (git log -1 --format="# program of commit %h"; loop.py PROGRAM FOLDER --cars 1..19 --tests 0 --draws 20 --step 3) > cars.csv
+    loop.py PROGRAM FOLDER --cars 1..19 --tests 0 --draws 20 --step 3 > results/cars.csv
 
-The second writes results/cars.csv; the first lines of the other results have their commands. Steps and files of FOLDER are
+The first line of what it prints is its command, which the other results have as well. Steps and files of FOLDER are
 explained in README.md; virtual_rig.py makes what a bench and a rig would record.
 """
 import argparse
@@ -45,7 +45,7 @@ def write_forces(file, clicks, force_of, errors=None):
     """A row of each click; the error is that of its recording, of a benched click."""
     speeds = sorted(side * v / 100 for side in (-1, 1) for v in (2, 5, 10, 15, 20, 30, 50))
     with file.open("w") as stream:
-        out = csv.writer(stream)
+        out = csv.writer(stream, lineterminator="\n")
         out.writerow(["click", *(["nmse_percent"] if errors else []), *(f"{v} m/s" for v in speeds)])
         for click in clicks:
             error = [f"{errors[click]:.3f}" if click in errors else ""] if errors else []
@@ -206,13 +206,21 @@ def write_choices(file, choices, costs, best_of_rated):
     distinguish from the best, itself included, and whether the true best of the rated ones is among these."""
     best = {axle: str(click) for axle, click in zip(AXLES, best_of_rated)}
     with file.open("w") as stream:
-        out = csv.writer(stream)
+        out = csv.writer(stream, lineterminator="\n")
         out.writerow(["choice", "clicks", "stated_gain", "true_gain", "indistinct", "true_best_is_indistinct"])
         for name, choice in choices.items():
             clicks = chosen(choice)
             gains = (-choice["best"]["change"]["mean"], 1 - costs[clicks] / costs[PRESENT])
             out.writerow([name, "%d/%d" % clicks, *(f"{100 * gain:.3g}" for gain in gains), len(choice["indistinct"]),
                           "yes" if best in choice["indistinct"] else "no"])
+
+
+def clicks_to_bench(text):
+    known = {str(click): click for click in BENCHED}
+    clicks = set(text.split(","))
+    if len(clicks) < 2 or not clicks <= set(known):
+        raise argparse.ArgumentTypeError(f"'{text}' is not two or more of {','.join(known)}, the clicks of bench.yaml")
+    return sorted(known[click] for click in clicks)
 
 
 def main():
@@ -222,25 +230,24 @@ def main():
     arguments.add_argument("--cars", default="1", help="seeds of the virtual cars, 3 or 1..20")
     arguments.add_argument("--tests", type=int, default=3, help="clicks to test on the rig, at the most")
     arguments.add_argument("--draws", type=int, default=60, help="possible cars in which settings are rated")
-    arguments.add_argument("--benched", help="clicks on the bench, such as 4,10,16 (default: those of FOLDER/bench, else "
-                           + ",".join(map(str, BENCHED)) + ")")
+    arguments.add_argument("--benched", type=clicks_to_bench, help="clicks on the bench, such as 4,10,16 (default: those of "
+                           "FOLDER/bench, else " + ",".join(map(str, BENCHED)) + ")")
     arguments.add_argument("--step", type=int, default=1, help="3 rates each third click, 49 settings in place of 400")
     options = arguments.parse_args()
     first, _, last = options.cars.partition("..")
-    asked = [int(click) for click in options.benched.split(",")] if options.benched else None
     options.folder.mkdir(parents=True, exist_ok=True)
     if not (options.folder / "bench/result.json").exists():
-        identify_dampers(options.program, options.folder, asked or BENCHED)
-    elif asked and asked != benched_clicks(options.folder):
-        there = ",".join(map(str, benched_clicks(options.folder)))
-        sys.exit(f"{options.folder}/bench was fitted to clicks {there}, not to {options.benched}: take another folder, "
-                 "or delete bench in it")
+        identify_dampers(options.program, options.folder, options.benched or BENCHED)
+    elif options.benched not in (None, benched_clicks(options.folder)):
+        there, asked = (",".join(map(str, clicks)) for clicks in (benched_clicks(options.folder), options.benched))
+        sys.exit(f"{options.folder}/bench was fitted to clicks {there}, not to {asked}: take another folder, or delete bench "
+                 "in it")
     print("# loop.py PROGRAM FOLDER", *sys.argv[3:], flush=True)
     out = None
     for seed in range(int(first), int(last or first) + 1):
         row = loop(options.program, options.folder, seed, options)
         if out is None:
-            out = csv.DictWriter(sys.stdout, list(row))
+            out = csv.DictWriter(sys.stdout, list(row), lineterminator="\n")
             out.writeheader()
         out.writerow(row)
         sys.stdout.flush()
