@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """The thesis's loop: identify dampers and car, choose their clicks, test a few on the rig, identify and choose again.
 
-    loop.py PROGRAM FOLDER                           # one car; open FOLDER/choice_2/choose.html
-    loop.py PROGRAM FOLDER --cars 1..20 > results/cars.csv
+    loop.py PROGRAM FOLDER      # one car; open FOLDER/choice_2/choose.html
+    loop.py PROGRAM FOLDER --cars 1..19 --tests 0 --draws 20 --step 3 > results/cars.csv
 
-Steps and files of FOLDER are explained in README.md; virtual_rig.py makes what a bench and a rig would record.
+The first line of what it prints is its command, which the other results have as well. Steps and files of FOLDER are
+explained in README.md; virtual_rig.py makes what a bench and a rig would record.
 """
 import argparse
 import csv
@@ -14,7 +15,8 @@ import shutil
 import sys
 from pathlib import Path
 
-from virtual_rig import AXLES, BENCHED, MODES, PRESENT, SOURCE, SPEEDS, Car, record_bench, run
+from virtual_rig import (AXLES, BENCHED, CLICKS, MODES, PRESENT, SOURCE, SPEEDS, Car, record_bench, run,
+                         valve_force)
 
 HERE = Path(__file__).resolve().parent
 FOLLOWERS = ("bump", "rebound", "bump_beyond", "rebound_beyond")
@@ -32,11 +34,22 @@ def identify_dampers(program, folder, clicks):
     record_bench(folder, clicks)
     run(program, "fit", folder / "bench.yaml", "-o", folder / "bench", "--no-suggest", "--threads", "1")
     laws = laws_of_bench(folder)
-    with (folder / "force_speed.csv").open("w") as file:
-        out = csv.writer(file)
-        speeds = [side * v / 100 for side in (-1, 1) for v in (2, 5, 10, 15, 20, 30, 50)]
-        out.writerow(["click", *(f"{v} m/s" for v in sorted(speeds))])
-        out.writerows([click, *(f"{force(laws[click], v):.1f}" for v in sorted(speeds))] for click in laws)
+    fit = json.loads((folder / "bench/result.json").read_text())
+    errors = {int(one["recording"].removeprefix("click")): one["nmse_percent"] for one in fit["channels"]}
+    write_forces(folder / "force_speed.csv", laws, lambda click, v: force(laws[click], v), errors)
+    # What no bench gives: the valves without hysteresis and friction.
+    write_forces(folder / "true_force_speed.csv", CLICKS, valve_force)
+
+
+def write_forces(file, clicks, force_of, errors=None):
+    """A row of each click; the error is that of its recording, of a benched click."""
+    speeds = sorted(side * v / 100 for side in (-1, 1) for v in (2, 5, 10, 15, 20, 30, 50))
+    with file.open("w") as stream:
+        out = csv.writer(stream, lineterminator="\n")
+        out.writerow(["click", *(["nmse_percent"] if errors else []), *(f"{v} m/s" for v in speeds)])
+        for click in clicks:
+            error = [f"{errors[click]:.3f}" if click in errors else ""] if errors else []
+            out.writerow([click, *error, *(f"{force_of(click, v):.1f}" for v in speeds)])
 
 
 def force(law, v):
@@ -45,10 +58,14 @@ def force(law, v):
     return (1 if v > 0 else -1) * (law[side] * min(size, knee) + law[side + "_beyond"] * max(0, size - knee))
 
 
+def benched_clicks(folder):
+    return [int(click) for click in re.findall(r"csv, control: (\d+)", (folder / "bench.yaml").read_text())]
+
+
 def laws_of_bench(folder):
     """{click: {"bump": N*s/m, ...}}, straight lines between the benched clicks, as `choose` takes them."""
     fitted = {one["name"]: one["value"] for one in json.loads((folder / "bench/result.json").read_text())["parameters"]}
-    benched = [int(click) for click in re.findall(r"csv, control: (\d+)", (folder / "bench.yaml").read_text())]
+    benched = benched_clicks(folder)
     at = lambda name, click: fitted[name if click == benched[0] else f"{name}_at_{click}"]
     laws = {}
     for click in range(benched[0], benched[-1] + 1):
@@ -99,7 +116,7 @@ def choose(program, folder, fit, choice, draws, step):
     (folder / "settings.yaml").write_text(text.replace("from: 1, to: 20", positions))
     run(program, "choose", folder / fit, "--settings", folder / "settings.yaml", "--no-checks", "--threads", "1", "-o",
         folder / choice)
-    return json.loads((folder / choice / "result.json").read_text())["best"]
+    return json.loads((folder / choice / "result.json").read_text())
 
 
 def clicks_to_test(folder, most):
@@ -171,12 +188,39 @@ def loop(program, folder, seed, options):
     row = {"car": seed, "rig_runs": rig_runs, "tested": " ".join(f"{f}/{r}" for f, r in tests), "true_best": "%d/%d" % best,
            "best_of_rated": "%d/%d" % best_of_rated}
     for name, choice in (("first", first), ("last", last)):
-        clicks = tuple(int(choice["setting"][axle]) for axle in AXLES)
-        row |= {name: "%d/%d" % clicks, f"{name}_best_probability": f"{choice['best_probability']:.3g}",
-                f"{name}_stated_regret": f"{100 * choice['regret']:.3g}",
+        clicks = chosen(choice)
+        row |= {name: "%d/%d" % clicks, f"{name}_best_probability": f"{choice['best']['best_probability']:.3g}",
+                f"{name}_stated_regret": f"{100 * choice['best']['regret']:.3g}",
                 f"{name}_true_regret": f"{100 * (costs[clicks] / costs[best] - 1):.3g}"}
     row["present_regret"] = f"{100 * (costs[PRESENT] / costs[best] - 1):.3g}"
+    write_choices(folder / "choices.csv", {"choice_1": first} | ({"choice_2": last} if tests else {}), costs, best_of_rated)
     return row
+
+
+def chosen(choice):
+    return tuple(int(choice["best"]["setting"][axle]) for axle in AXLES)
+
+
+def write_choices(file, choices, costs, best_of_rated):
+    """The gain over the present clicks that each choice states and the true one, in per cent; how many settings it does not
+    distinguish from the best, itself included, and whether the true best of the rated ones is among these."""
+    best = {axle: str(click) for axle, click in zip(AXLES, best_of_rated)}
+    with file.open("w") as stream:
+        out = csv.writer(stream, lineterminator="\n")
+        out.writerow(["choice", "clicks", "stated_gain", "true_gain", "indistinct", "true_best_is_indistinct"])
+        for name, choice in choices.items():
+            clicks = chosen(choice)
+            gains = (-choice["best"]["change"]["mean"], 1 - costs[clicks] / costs[PRESENT])
+            out.writerow([name, "%d/%d" % clicks, *(f"{100 * gain:.3g}" for gain in gains), len(choice["indistinct"]),
+                          "yes" if best in choice["indistinct"] else "no"])
+
+
+def clicks_to_bench(text):
+    known = {str(click): click for click in BENCHED}
+    clicks = set(text.split(","))
+    if len(clicks) < 2 or not clicks <= set(known):
+        raise argparse.ArgumentTypeError(f"'{text}' is not two or more of {','.join(known)}, the clicks of bench.yaml")
+    return sorted(known[click] for click in clicks)
 
 
 def main():
@@ -186,18 +230,24 @@ def main():
     arguments.add_argument("--cars", default="1", help="seeds of the virtual cars, 3 or 1..20")
     arguments.add_argument("--tests", type=int, default=3, help="clicks to test on the rig, at the most")
     arguments.add_argument("--draws", type=int, default=60, help="possible cars in which settings are rated")
-    arguments.add_argument("--benched", default=",".join(map(str, BENCHED)), help="clicks on the bench")
+    arguments.add_argument("--benched", type=clicks_to_bench, help="clicks on the bench, such as 4,10,16 (default: those of "
+                           "FOLDER/bench, else " + ",".join(map(str, BENCHED)) + ")")
     arguments.add_argument("--step", type=int, default=1, help="3 rates each third click, 49 settings in place of 400")
     options = arguments.parse_args()
     first, _, last = options.cars.partition("..")
     options.folder.mkdir(parents=True, exist_ok=True)
     if not (options.folder / "bench/result.json").exists():
-        identify_dampers(options.program, options.folder, [int(click) for click in options.benched.split(",")])
+        identify_dampers(options.program, options.folder, options.benched or BENCHED)
+    elif options.benched not in (None, benched_clicks(options.folder)):
+        there, asked = (",".join(map(str, clicks)) for clicks in (benched_clicks(options.folder), options.benched))
+        sys.exit(f"{options.folder}/bench was fitted to clicks {there}, not to {asked}: take another folder, or delete bench "
+                 "in it")
+    print("# loop.py PROGRAM FOLDER", *sys.argv[3:], flush=True)
     out = None
     for seed in range(int(first), int(last or first) + 1):
         row = loop(options.program, options.folder, seed, options)
         if out is None:
-            out = csv.DictWriter(sys.stdout, list(row))
+            out = csv.DictWriter(sys.stdout, list(row), lineterminator="\n")
             out.writeheader()
         out.writerow(row)
         sys.stdout.flush()
