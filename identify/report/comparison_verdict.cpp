@@ -99,7 +99,7 @@ std::string Doubts(const std::vector<ComparedRun>& runs) {
 }
 
 /// Difference over the deviation of the difference; 0 where an interval is missing or both overlap.
-double Contradiction(const ReportedParameter& one, const ReportedParameter& other) {
+double SdApart(const ReportedParameter& one, const ReportedParameter& other) {
   if (!std::isfinite(one.sd) || !std::isfinite(other.sd)) return 0;
   if (one.lower_95 <= other.upper_95 && other.lower_95 <= one.upper_95) return 0;
   return std::abs(one.value - other.value) / std::hypot(one.sd, other.sd);
@@ -111,7 +111,7 @@ std::string ContradictionsOf(const ComparedRun& a, const ComparedRun& b) {
   for (const ReportedParameter& one : a.parameters)
     for (const ReportedParameter& other : b.parameters) {
       if (one.name != other.name || one.unit != other.unit) continue;
-      const double by = Contradiction(one, other);
+      const double by = SdApart(one, other);
       if (by == 0) continue;
       found.emplace_back(by, html::Escaped(one.name) + " (" + ShownNumber(one.value, 3) + " and " +
                                  ShownNumber(other.value, 3) + ' ' + html::Escaped(one.unit) + ", " +
