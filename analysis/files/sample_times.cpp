@@ -42,7 +42,9 @@ class TimeCheck {
     }
     if (!AreEven(steps, usual)) return std::nullopt;
     const double step = (times_.back() - times_.front()) / static_cast<double>(steps.size());
-    return DoDrift(step) ? std::nullopt : std::optional(step);
+    // Rounded times are off by the last digit, which steps have two sizes by.
+    const double slack = usual == Median(steps) ? 0.5 * step : Median(steps);
+    return DoDrift(step, slack) ? std::nullopt : std::optional(step);
   }
 
  private:
@@ -64,12 +66,12 @@ class TimeCheck {
   }
 
   /// Steps that each look well may still add up to another rate.
-  bool DoDrift(double step) {
+  bool DoDrift(double step, double slack) {
     std::size_t worst = 0;
     const auto off = [&](std::size_t k) { return times_[k] - times_.front() - step * static_cast<double>(k); };
     for (std::size_t k = 0; k < times_.size(); ++k)
       if (std::abs(off(k)) > std::abs(off(worst))) worst = k;
-    if (std::abs(off(worst)) < 0.5 * step) return false;
+    if (std::abs(off(worst)) < slack) return false;
     Refused(kTimeDrifts, table_.line(worst), {SecondsText(off(worst)), SecondsText(step)});
     return true;
   }
@@ -87,12 +89,13 @@ double UsualStep(const std::vector<double>& steps) {
   constexpr double kOff = 0.01;
   constexpr double kLonger = 1.25;
   constexpr double kTwice = 2.01;
-  // Where fewer steps are longer, samples were lost.
+  // Where fewer steps are longer, samples were lost; of few steps one is a large share.
   constexpr double kShareOfRounding = 0.2;
+  constexpr std::size_t kFewest = 20;
   const double middle = Median(steps);
   const auto is_longer = [&](double step) { return step > kLonger * middle && step < kTwice * middle; };
   const auto longer = static_cast<double>(std::count_if(steps.begin(), steps.end(), is_longer));
-  if (longer < kShareOfRounding * static_cast<double>(steps.size())) return middle;
+  if (steps.size() < kFewest || longer < kShareOfRounding * static_cast<double>(steps.size())) return middle;
   double sum = 0;
   double count = 0;
   for (const double step : steps) {
