@@ -40,7 +40,7 @@ void JudgeByMisfit(const Json& channel, JudgedChannel& judged) {
 
 /// None of an older run.
 std::optional<WorstPlace> PlaceOf(const Json& channel) {
-  const Json worst = channel.value("worst", Json());
+  const Json worst = channel.is_object() ? channel.value("worst", Json()) : Json();
   const std::vector<Json> band = ListAt(worst, "band_Hz");
   if (band.size() != 2 || !band[0].is_number() || !band[1].is_number()) return std::nullopt;
   return WorstPlace{TextAt(worst, "recording"), band[0], band[1], NumberAt(worst, "misfit")};

@@ -20,7 +20,7 @@ std::string Largest(const Json& error, const std::string& kind, const std::strin
 
 /// The error of linear kinematics in a recording; empty where the run does not hold it.
 std::string OffBy(const Json& recording) {
-  const Json error = recording.value("linear_kinematics_error", Json());
+  const Json error = recording.is_object() ? recording.value("linear_kinematics_error", Json()) : Json();
   if (!error.is_object()) return "";
   if (const std::string why = TextAt(error, "not_estimated"); !why.empty())
     return "the error of linear kinematics could not be estimated: " + html::Escaped(why);
