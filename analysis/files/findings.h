@@ -141,7 +141,7 @@ inline const Finding kSampleMissing{"sample-missing", Severity::kError, "column 
                                     "fill the gap or cut the recording there"};
 inline const Finding kUnitMissing{"unit-missing", Severity::kError, "column '{}', {}, has no unit",
                                   "write that of a {} {}, or state it: {channel: {}, unit: {}} in a study, --unit for "
-                                  "`fourpost frf`"};
+                                  "`fourpost frf` and `fourpost init`"};
 inline const Finding kUnitOfOtherDimension{"unit-of-other-dimension", Severity::kError,
                                            "column '{}', {}, has the unit '{}'", "it needs that of a {}"};
 inline const Finding kTimeSwapped{"time-column-swapped", Severity::kError,

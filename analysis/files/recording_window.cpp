@@ -18,11 +18,6 @@ bool CutToWindow(const RecordingWindow& window, TimeRecording& recording) {
   const auto count = static_cast<std::ptrdiff_t>(end - begin) + 1;
   for (std::vector<double>& channel : recording.channels)
     channel = std::vector<double>(channel.begin() + first, channel.begin() + first + count);
-  // A gap that the window ends in ends there.
-  const double start_s = recording.time_s(static_cast<std::size_t>(first));
-  const double end_s = recording.time_s(static_cast<std::size_t>(first + count - 1));
-  for (std::vector<BridgedGap>& gaps : recording.gaps)
-    std::erase_if(gaps, [&](const BridgedGap& gap) { return gap.to_s <= start_s || gap.from_s >= end_s; });
   recording.start_s = recording.time_s(static_cast<std::size_t>(first));
   recording.end_s = recording.time_s(static_cast<std::size_t>(count - 1));
   recording.preparations.push_back(CutTo(recording.start_s, recording.end_s));
