@@ -112,9 +112,11 @@ std::vector<InformativeRun> InformativeRuns(const Eigen::MatrixXd& cost, double 
   const Eigen::VectorXd mean = cost.rowwise().mean();
   const Eigen::MatrixXd centred = cost.colwise() - mean;
   Eigen::MatrixXd covariance = centred * centred.transpose() / static_cast<double>(cost.cols() - 1);
+  std::vector<bool> is_taken(static_cast<std::size_t>(cost.rows()), false);
   while (runs.size() < count) {
     InformativeRun next;
     for (Index s = 0; s < cost.rows(); ++s) {
+      if (is_taken[static_cast<std::size_t>(s)]) continue;
       const double variance = covariance(s, s) + noise * noise;
       if (!(variance > 0)) continue;
       const double gain = ExpectedRise(-mean, covariance.col(s) / std::sqrt(variance));
@@ -126,6 +128,7 @@ std::vector<InformativeRun> InformativeRuns(const Eigen::MatrixXd& cost, double 
     const Eigen::VectorXd column = covariance.col(s);
     covariance -= column * column.transpose() / (column[s] + noise * noise);
     next.sd_after = std::sqrt(std::max(0.0, covariance(s, s)));
+    is_taken[next.setting] = true;
     runs.push_back(next);
   }
   return runs;

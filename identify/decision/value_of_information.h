@@ -40,7 +40,8 @@ struct InformativeRun {
   double sd_after = 0;
 };
 
-/// The most informative runs, one after the other, at most `count`, until none gains anything: knowledge gradient with
+/// The most informative runs, each of another setting and given those before it, at most `count`, until none gains
+/// anything: knowledge gradient with
 /// correlated beliefs (Frazier, Powell and Dayanik 2009). Beliefs are normal, mean and covariance those of the draws;
 /// `noise`: standard deviation of one run's cost. A run changes the belief in all settings that are correlated with it.
 std::vector<InformativeRun> InformativeRuns(const Eigen::MatrixXd& cost, double noise, std::size_t count);

@@ -123,7 +123,7 @@ def clicks_to_test(folder, most):
     """Step 4: of test_next.csv; those that the present recordings do not have."""
     with (folder / "choice_1/test_next.csv").open() as file:
         rows = [row for row in csv.DictReader(file) if row["front"].isdigit()]
-    clicks = dict.fromkeys((int(row["front"]), int(row["rear"])) for row in rows)
+    clicks = [(int(row["front"]), int(row["rear"])) for row in rows]
     return [pair for pair in clicks if pair != PRESENT][:most]
 
 

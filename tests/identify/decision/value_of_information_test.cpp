@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -101,14 +102,33 @@ TEST(InformativeRuns, GainTheClosedFormOfOneDoubtfulSetting) {
   cost.row(0).setZero();
   cost.row(1) = (0.2 + x.col(0).array()).matrix().transpose();
   const std::vector<InformativeRun> runs = InformativeRuns(cost, 0.5, 2);
-  ASSERT_EQ(runs.size(), 2U);
+  // A run of the certain setting gains nothing, and the doubtful one is not repeated.
+  ASSERT_EQ(runs.size(), 1U);
   const double moved = 1 / std::sqrt(1.25);
   EXPECT_EQ(runs[0].setting, 1U);
   EXPECT_NEAR(runs[0].gain, moved * Excess(0.2 / moved), 1e-12);
   EXPECT_NEAR(runs[0].sd_before, 1, 1e-12);
   EXPECT_NEAR(runs[0].sd_after, std::sqrt(0.25 / 1.25), 1e-12);
-  EXPECT_NEAR(runs[1].sd_before, runs[0].sd_after, 1e-12);
-  EXPECT_LT(runs[1].gain, runs[0].gain);
+}
+
+/// One setting is in much more doubt than two others: its noisy run would be worth more again than theirs.
+TEST(InformativeRuns, AreOfDistinctSettingsEachGivenThoseBefore) {
+  const MatrixXd x = Orthogonal(200, 3, 5);
+  MatrixXd cost(4, 200);
+  cost.row(0).setZero();
+  cost.row(1) = (0.1 + x.col(0).array()).matrix().transpose();
+  cost.row(2) = (0.2 + 0.3 * x.col(1).array()).matrix().transpose();
+  cost.row(3) = (0.3 + 0.1 * x.col(2).array() + 0.5 * x.col(0).array()).matrix().transpose();
+  constexpr double kNoise = 0.5;
+  const std::vector<InformativeRun> runs = InformativeRuns(cost, kNoise, 5);
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_EQ(runs[0].setting, 1U);
+  std::set<std::size_t> settings;
+  for (const InformativeRun& run : runs) settings.insert(run.setting);
+  EXPECT_EQ(settings.size(), runs.size());
+  // Setting 3 shares the doubt of setting 1: its variance 0.26 falls by 0.5^2 / (1 + 0.25) with the first run.
+  const auto third = std::find_if(runs.begin(), runs.end(), [](const InformativeRun& run) { return run.setting == 3; });
+  EXPECT_NEAR(third->sd_before, std::sqrt(0.26 - 0.25 / 1.25), 1e-12);
 }
 
 // Settings that move together are known by one run.
