@@ -32,7 +32,9 @@ struct ChoiceRequest {
   std::vector<double> fitted;
   /// Possible cars, a row each; without rows nothing is known of the doubt.
   Eigen::MatrixXd draws;
-  /// Names of Vehicle::parameters.
+  /// Parameters of bench fits in the same possible cars, whose laws are in Knob::Position::drawn; empty: none.
+  Eigen::MatrixXd bench_draws = {};
+  /// Names of the columns of both.
   std::vector<std::string> parameters;
   /// 0: one per processor; without influence on the result.
   int threads = 0;
@@ -99,7 +101,7 @@ struct Choice {
   /// Rows of the front of two objectives, by the first one.
   std::vector<std::size_t> front;
   std::vector<ClickLoss> clicks;
-  /// See DecidingParameters(); `parameter` is an index in Vehicle::parameters.
+  /// See DecidingParameters(); `parameter` is an index in ChoiceRequest::parameters.
   std::vector<DecidingParameter> deciding;
   /// `setting` is a row.
   std::vector<InformativeRun> runs;

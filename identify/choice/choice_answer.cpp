@@ -4,6 +4,13 @@
 
 namespace fourpost {
 
+std::vector<std::string> ChoiceAnswer::ExactKnobs() const {
+  std::vector<std::string> names;
+  for (const Knob& knob : knobs())
+    if (knob.positions.front().drawn.size() == 0) names.push_back(knob.name);
+  return names;
+}
+
 std::string ChoiceAnswer::NameOf(std::size_t row) const { return SettingText(knobs(), choice.rows[row].setting); }
 
 std::vector<std::size_t> ChoiceAnswer::NotableRows(std::size_t count) const {

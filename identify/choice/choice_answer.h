@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "identify/choice/bench_doubt.h"
 #include "identify/choice/choice.h"
 #include "vehicles/ride_metrics/ride_spectra.h"
 
@@ -16,8 +17,10 @@ namespace fourpost {
 struct ChoiceAnswer {
   /// The folder of the run, or the vehicle file.
   std::string subject;
-  /// "80 to 90 %", of the intervals whose doubt the draws carry; empty: the choice is without doubt.
+  /// "80 to 90 %", of the car's intervals, whose doubt the draws carry; empty: the car is without doubt.
   std::string confidence;
+  /// Bench fits whose doubt they carry as well.
+  std::vector<BenchDoubt> benches = {};
   ChoiceRequest request;
   Choice choice;
   /// Of the present and the best setting at the fitted values, on the road with the largest weight; empty without a
@@ -29,8 +32,11 @@ struct ChoiceAnswer {
   Eigen::MatrixXd best_metrics = {};
 
   const std::vector<Knob>& knobs() const { return request.settings.knobs; }
+  bool has_doubt() const { return !confidence.empty() || !benches.empty(); }
   std::size_t draws() const { return static_cast<std::size_t>(request.draws.rows()); }
   const Metric& MetricOf(const Objective& objective) const { return request.metrics[objective.metric]; }
+  /// Knobs whose positions are not in doubt: those of tables and numbers, and of a bench fit without a covariance.
+  std::vector<std::string> ExactKnobs() const;
   /// "front 12, rear 9"
   std::string NameOf(std::size_t row) const;
   /// The best setting, the present one, then those that cannot be distinguished from the best, the likeliest first; at

@@ -124,7 +124,7 @@ std::string SettingsSvg(const ChoiceAnswer& answer) {
                   .rows = PositionNames(knobs[y]),
                   .cells = {},
                   .value_label = ObjectivesTogether(answer) + ", %",
-                  .framed_label = answer.confidence.empty() ? "" : "not to be distinguished from the best",
+                  .framed_label = !answer.has_doubt() ? "" : "not to be distinguished from the best",
                   .barred_label = answer.request.settings.limits.empty() ? "" : "beyond a limit",
                   .ring = MarkOf(answer, map, *answer.choice.best, x, y, "best"),
                   .cross = MarkOf(answer, map, answer.choice.present, x, y, "now")};
@@ -135,7 +135,7 @@ std::string SettingsSvg(const ChoiceAnswer& answer) {
       const bool has_answer = row != nullptr && row->failure.empty();
       chart.cells.back().push_back({.value = has_answer ? 100 * row->change.mean : std::nan(""),
                                     .is_barred = has_answer && !row->is_admitted,
-                                    .is_framed = has_answer && row->is_indistinct && !answer.confidence.empty()});
+                                    .is_framed = has_answer && row->is_indistinct && answer.has_doubt()});
     }
   }
   return HeatSvg(chart);
@@ -153,7 +153,7 @@ std::string FrontSvg(const ChoiceAnswer& answer) {
   const SvgSeries all = Dots(answer, {"setting", kAllColor, SvgMark::kDots, 4}, admitted);
   std::vector<SvgSeries> series = {all, Dots(answer, {"front", kFrontColor, SvgMark::kLine, 1.6}, choice.front)};
   series.push_back(Dots(answer, {"front", kFrontColor, SvgMark::kDots, 5}, choice.front));
-  if (!answer.confidence.empty())
+  if (answer.has_doubt())
     series.push_back(Dots(answer, {"not distinguished", kIndistinctColor, SvgMark::kDots, 6}, indistinct));
   series.push_back(Dots(answer, {"now", kPresentColor, SvgMark::kDots, 8}, {choice.present}));
   series.push_back(Dots(answer, {"best together", kBestColor, SvgMark::kDots, 8}, {*choice.best}));

@@ -88,6 +88,18 @@ Json ClicksJson(const ChoiceAnswer& answer) {
   return list;
 }
 
+/// What the draws carry: intervals of the car and of bench fits, by their confidence.
+Json DoubtJson(const ChoiceAnswer& answer) {
+  Json benches = Json::array();
+  for (const BenchDoubt& bench : answer.benches)
+    benches.push_back(
+        {{"run", bench.run.filename().string()}, {"confidence", bench.confidence}, {"knobs", bench.knobs}});
+  return {{"car", answer.confidence.empty() ? Json(nullptr) : Json(answer.confidence)},
+          {"benches", benches},
+          {"exact_knobs", answer.ExactKnobs()},
+          {"model_error_on_roads", false}};
+}
+
 Json DecidingJson(const ChoiceAnswer& answer) {
   Json list = Json::array();
   for (const DecidingParameter& one : answer.choice.deciding)
@@ -133,6 +145,7 @@ Json ChoiceJson(const ChoiceAnswer& answer) {
     notable.push_back(RowJson(answer, choice.rows[row]));
   return {{"run", answer.subject},
           {"doubt", answer.confidence.empty() ? Json(nullptr) : Json(answer.confidence)},
+          {"doubt_contains", DoubtJson(answer)},
           {"draws", answer.draws()},
           {"seed", answer.request.settings.seed},
           {"lattice", choice.lattice},

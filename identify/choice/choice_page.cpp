@@ -50,7 +50,7 @@ std::string Role(const ChoiceAnswer& answer, std::size_t row) {
 
 std::string RatedTable(const ChoiceAnswer& answer, const std::vector<std::size_t>& rows) {
   const SettingsFile& settings = answer.request.settings;
-  const bool has_doubt = !answer.confidence.empty();
+  const bool has_doubt = answer.has_doubt();
   std::vector<std::string> head = {"", "setting"};
   for (const Objective& objective : settings.objectives) {
     const Metric& metric = answer.MetricOf(objective);
@@ -88,7 +88,8 @@ std::string PageSummary(const ChoiceAnswer& answer) {
                         : choice.findings.items().empty() ? "verdict good"
                                                           : "verdict fair";
   std::string html = html::Element("p", verdict, "<strong>" + html::Escaped(VerdictWords(answer)) + "</strong>") +
-                     '\n' + RatedTable(answer, answer.NotableRows(kSummaryRows)) + Paragraph(IndistinctWords(answer)) +
+                     '\n' + RatedTable(answer, answer.NotableRows(kSummaryRows)) + Paragraph(DoubtWords(answer)) +
+                     Paragraph(IndistinctWords(answer)) +
                      Paragraph(ClickWords(answer));
   std::string findings;
   for (const Diagnostic& finding : choice.findings.ByWeight())

@@ -16,7 +16,7 @@ std::string RoleOf(const ChoiceAnswer& answer, std::size_t row) {
 }
 
 std::string SettingsTable(const ChoiceAnswer& answer) {
-  const bool has_doubt = !answer.confidence.empty();
+  const bool has_doubt = answer.has_doubt();
   std::vector<std::string> head = {"", "setting"};
   for (const Objective& objective : answer.request.settings.objectives) {
     const Metric& metric = answer.MetricOf(objective);
@@ -62,7 +62,7 @@ std::string ChecksTable(const ChoiceAnswer& answer) {
 
 std::string ChoiceText(const ChoiceAnswer& answer) {
   std::string text = ScopeWords(answer) + "\n\n" + SettingsTable(answer) + '\n';
-  for (const std::string& words : {VerdictWords(answer), IndistinctWords(answer), ClickWords(answer),
+  for (const std::string& words : {VerdictWords(answer), DoubtWords(answer), IndistinctWords(answer), ClickWords(answer),
                                    DecidingWords(answer), RunWords(answer), EngineWords(answer)})
     if (!words.empty()) text += words + '\n';
   return text + ChecksTable(answer);

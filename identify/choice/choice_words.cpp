@@ -43,8 +43,25 @@ std::string ScopeWords(const ChoiceAnswer& answer) {
   if (static_cast<std::int64_t>(choice.rows.size()) < choice.evaluated)
     text += ", the best " + std::to_string(choice.rows.size()) + " in all possible cars";
   text += "; " + Counted(answer.request.settings.roads.size(), "road") + "; ";
-  if (answer.confidence.empty()) return text + "one car, whose standard deviations are not known.";
-  return text + Counted(answer.draws(), "possible car") + " of the fit's intervals (" + answer.confidence + ").";
+  if (!answer.has_doubt()) return text + "one car, whose standard deviations are not known.";
+  text += Counted(answer.draws(), "possible car");
+  return text + (answer.confidence.empty() ? "." : " of the fit's intervals (" + answer.confidence + ").");
+}
+
+std::string DoubtWords(const ChoiceAnswer& answer) {
+  if (!answer.has_doubt()) return "";
+  std::vector<std::string> held;
+  if (!answer.confidence.empty()) held.emplace_back("parameters of the car");
+  for (const BenchDoubt& bench : answer.benches)
+    held.push_back("the laws of " + Enumeration(bench.knobs) + " from the bench fit '" +
+                   bench.run.filename().string() + "' (" + bench.confidence + ")");
+  std::vector<std::string> not_held = {"what the model lacks on these roads"};
+  const std::vector<std::string> exact = answer.ExactKnobs();
+  if (!exact.empty()) not_held.push_back("the numbers of " + Enumeration(exact));
+  if (!answer.benches.empty()) not_held.emplace_back("straight lines between benched positions");
+  return "P(best) and regret contain the doubt of " + Enumeration(held) +
+         ", each of noise, held parameters and model error in its recordings. They do not contain that of " +
+         Enumeration(not_held) + ", so they are too sure.";
 }
 
 std::string VerdictWords(const ChoiceAnswer& answer) {
@@ -55,9 +72,9 @@ std::string VerdictWords(const ChoiceAnswer& answer) {
   if (choice.best == choice.present) return "The present setting, " + name + ", is the best.";
   std::string text =
       "The best setting is " + name + ": " + ObjectiveWords(answer) + " change by " + SharePercent(best.change.mean);
-  if (!answer.confidence.empty()) text += " (95 % of cars: " + IntervalPercent(best.change) + " %)";
+  if (answer.has_doubt()) text += " (95 % of cars: " + IntervalPercent(best.change) + " %)";
   text += " against now.";
-  if (!answer.confidence.empty())
+  if (answer.has_doubt())
     text += " It is the best with probability " + Rounded(best.best_probability, 2) + "; its expected regret is " +
             SharePercent(best.regret) + ".";
   return text;
@@ -65,7 +82,7 @@ std::string VerdictWords(const ChoiceAnswer& answer) {
 
 std::string IndistinctWords(const ChoiceAnswer& answer) {
   const Choice& choice = answer.choice;
-  if (!choice.best || answer.confidence.empty()) return "";
+  if (!choice.best || !answer.has_doubt()) return "";
   const std::size_t others = choice.IndistinctCount() - 1;
   const std::string of = " of " + Counted(choice.rows.size(), "setting");
   if (others == 0) return "It is distinguished from all others" + of + ".";

@@ -18,6 +18,8 @@ std::string IntervalPercent(const DrawSummary& summary);
 /// What was compared: settings, roads, possible cars.
 std::string ScopeWords(const ChoiceAnswer& answer);
 /// What is chosen, and what it brings; or that nothing is.
+/// What P(best) and regret contain, and what not.
+std::string DoubtWords(const ChoiceAnswer& answer);
 std::string VerdictWords(const ChoiceAnswer& answer);
 /// How many settings cannot be distinguished from the best; empty without a best one.
 std::string IndistinctWords(const ChoiceAnswer& answer);

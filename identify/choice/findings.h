@@ -102,6 +102,14 @@ inline const Finding kChoiceWithoutDoubt{
     "a vehicle file without a fit has no standard deviations: one car is rated, and "
     "nothing is said of how sure the choice is",
     "fit the vehicle, and name the folder of the fit"};
+inline const Finding kChoiceBenchDoubtOnly{
+    "choice-bench-doubt-only", Severity::kWarning,
+    "a vehicle file without a fit has no standard deviations: the doubt is that of the benched laws alone",
+    "fit the vehicle, and name the folder of the fit"};
+inline const Finding kBenchWithoutDoubt{
+    "bench-without-doubt", Severity::kWarning,
+    "the bench fit '{}' has no covariance: its laws count as exact, so P(best) is too high and the regret too low",
+    "fit the bench again with this version"};
 inline const Finding kRoadBeyondBand{"road-beyond-band", Severity::kWarning,
                                      "{} of the mean square of '{}' lie beyond the fitted band up to {} Hz",
                                      "fit a wider band, or narrow 'band' of the settings"};

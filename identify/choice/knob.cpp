@@ -5,11 +5,16 @@
 namespace fourpost {
 namespace {
 
-double Changed(const Knob& knob, std::size_t position, std::size_t of, double fitted) {
-  const double there = knob.positions[position].values[of];
+double NumberOf(const Knob::Position& position, std::size_t of, std::optional<Eigen::Index> draw) {
+  return draw && position.drawn.size() > 0 ? position.drawn(*draw, static_cast<Eigen::Index>(of)) : position.values[of];
+}
+
+double Changed(const Knob& knob, std::size_t position, std::size_t of, double fitted,
+               std::optional<Eigen::Index> draw) {
+  const double there = NumberOf(knob.positions[position], of, draw);
   if (knob.change == Knob::Change::kAbsolute || !knob.now) return there;
   if (position == *knob.now) return fitted;
-  const double here = knob.positions[*knob.now].values[of];
+  const double here = NumberOf(knob.positions[*knob.now], of, draw);
   return knob.change == Knob::Change::kRatio ? fitted * there / here : fitted + there - here;
 }
 
@@ -21,13 +26,14 @@ Setting PresentSetting(const std::vector<Knob>& knobs) {
   return setting;
 }
 
-std::vector<double> ValuesAt(const std::vector<Knob>& knobs, const Setting& setting, std::span<const double> fitted) {
+std::vector<double> ValuesAt(const std::vector<Knob>& knobs, const Setting& setting, std::span<const double> fitted,
+                             std::optional<Eigen::Index> draw) {
   std::vector<double> values(fitted.begin(), fitted.end());
   for (std::size_t k = 0; k < knobs.size(); ++k) {
     if (setting[k] == kAsFitted) continue;
     for (std::size_t i = 0; i < knobs[k].parameters.size(); ++i) {
       double& value = values[knobs[k].parameters[i]];
-      value = Changed(knobs[k], static_cast<std::size_t>(setting[k]), i, value);
+      value = Changed(knobs[k], static_cast<std::size_t>(setting[k]), i, value, draw);
     }
   }
   return values;

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "vehicles/description/vehicle.h"
 
@@ -28,6 +31,16 @@ struct Knob {
     std::string name;
     /// SI, one per parameter.
     std::vector<double> values;
+    /// In place of `values`, possible cars x parameters; empty: all cars have `values`.
+    Eigen::MatrixXd drawn = {};
+  };
+  /// The fit of a bench that `values` of positions come from: its folder, the column and factor of each parameter, and
+  /// the row of each position in the table of that run.
+  struct Bench {
+    std::filesystem::path run;
+    std::vector<std::size_t> columns;
+    std::vector<double> factors;
+    std::vector<double> rows;
   };
 
   std::string name;
@@ -38,6 +51,7 @@ struct Knob {
   /// The position of the car that was fitted; empty: the fitted car is at none of them.
   std::optional<std::size_t> now;
   Change change = Change::kAbsolute;
+  std::optional<Bench> bench = {};
 };
 
 /// A position of each knob; kAsFitted leaves its parameters as they are.
@@ -47,8 +61,10 @@ inline constexpr int kAsFitted = -1;
 /// The car as it is.
 Setting PresentSetting(const std::vector<Knob>& knobs);
 
-/// Parameter values (SI, order of Vehicle::parameters) of a car with the fitted values `fitted` at a setting.
-std::vector<double> ValuesAt(const std::vector<Knob>& knobs, const Setting& setting, std::span<const double> fitted);
+/// Parameter values (SI, order of Vehicle::parameters) of a car with the fitted values `fitted` at a setting; `draw`: the
+/// possible car whose drawn positions count.
+std::vector<double> ValuesAt(const std::vector<Knob>& knobs, const Setting& setting, std::span<const double> fitted,
+                             std::optional<Eigen::Index> draw = std::nullopt);
 
 /// Number of settings on the lattice of all positions; a large number where it is beyond 2^62.
 std::int64_t SettingCount(const std::vector<Knob>& knobs);

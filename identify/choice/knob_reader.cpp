@@ -133,6 +133,8 @@ class KnobReader {
     std::vector<std::size_t> columns;
     for (const Target& target : targets_) columns.push_back(ColumnOf(target, *table));
     if (!is_sound_) return;
+    Knob::Bench bench{.run = table->file, .columns = columns, .factors = {}, .rows = {}};
+    for (const Target& target : targets_) bench.factors.push_back(target.factor);
     for (const std::string& position : PositionsOf(*table)) {
       const std::optional<double> row = table->RowOf(position);
       if (!row) {
@@ -143,7 +145,9 @@ class KnobReader {
       for (std::size_t i = 0; i < targets_.size(); ++i)
         one.values.push_back(targets_[i].factor * table->At(columns[i], *row));
       knob_.positions.push_back(std::move(one));
+      bench.rows.push_back(*row);
     }
+    if (key == "bench") knob_.bench = std::move(bench);
   }
 
   std::size_t ColumnOf(const Target& target, const PositionTable& table) {

@@ -97,29 +97,39 @@ std::optional<PositionTable> ReadPositionTable(const std::filesystem::path& file
   return table;
 }
 
-std::optional<PositionTable> PositionTableOfRun(const std::filesystem::path& run, Diagnostics& diagnostics) {
-  const std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
+std::optional<BenchRun> ReadBenchRun(const std::filesystem::path& run, Diagnostics& diagnostics) {
+  std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   const std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);
   if (!vehicle || !study) return std::nullopt;
   std::set<double> settings;
   for (const Experiment& experiment : study->experiments)
     for (const double setting : experiment.Settings()) settings.insert(setting);
-  const Control control = ControlOf(*study, *vehicle);
+  Control control = ControlOf(*study, *vehicle);
   if (control.empty() || settings.size() < 2) {
     diagnostics.Report(kPositionsNoControl, {(run / "study.yaml").string()});
     return std::nullopt;
   }
+  return BenchRun{run, *std::move(vehicle), std::move(control), {settings.begin(), settings.end()}};
+}
+
+PositionTable BenchRun::TableAt(std::span<const double> values) const {
   PositionTable table;
-  table.file = run.string();
-  table.numbers.assign(settings.begin(), settings.end());
-  for (const Parameter& parameter : vehicle->parameters)
+  table.file = folder.string();
+  table.numbers = settings;
+  for (const Parameter& parameter : vehicle.parameters)
     table.columns.push_back({.name = parameter.name, .dimension = parameter.dimension, .values = {}});
-  for (const double setting : table.numbers) {
+  for (const double setting : settings) {
     table.rows.push_back(FormatNumber(setting));
-    const std::vector<double> values = control.At(setting).At(vehicle->ParameterValues());
-    for (std::size_t i = 0; i < values.size(); ++i) table.columns[i].values.push_back(values[i]);
+    const std::vector<double> there = control.At(setting).At({values.begin(), values.end()});
+    for (std::size_t i = 0; i < there.size(); ++i) table.columns[i].values.push_back(there[i]);
   }
   return table;
+}
+
+std::optional<PositionTable> PositionTableOfRun(const std::filesystem::path& run, Diagnostics& diagnostics) {
+  const std::optional<BenchRun> bench = ReadBenchRun(run, diagnostics);
+  if (!bench) return std::nullopt;
+  return bench->TableAt(bench->vehicle.ParameterValues());
 }
 
 }  // namespace fourpost

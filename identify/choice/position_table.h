@@ -3,11 +3,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/units.h"
+#include "identify/study_file/control.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 
@@ -41,8 +44,22 @@ struct PositionTable {
 /// there was one.
 std::optional<PositionTable> ReadPositionTable(const std::filesystem::path& file, Diagnostics& diagnostics);
 
-/// The fitted parameters of a damper on its bench, or of a vehicle, at the settings that the study of the run states
-/// under 'control'. Adds every fault; nothing when there was one.
+/// A fitted damper on its bench, or a vehicle, and the settings that the study of the run states under 'control'.
+struct BenchRun {
+  std::filesystem::path folder;
+  Vehicle vehicle;
+  Control control;
+  /// They rise.
+  std::vector<double> settings;
+
+  /// All parameters at the settings, where the fit had found `values` (SI, order of Vehicle::parameters).
+  PositionTable TableAt(std::span<const double> values) const;
+};
+
+/// Adds every fault; nothing when there was one.
+std::optional<BenchRun> ReadBenchRun(const std::filesystem::path& run, Diagnostics& diagnostics);
+
+/// The same as fitted.
 std::optional<PositionTable> PositionTableOfRun(const std::filesystem::path& run, Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -94,6 +94,17 @@ void CheckSpeeds(const CarMetrics& car, const Vehicle& vehicle, const ChoiceRequ
   }
 }
 
+/// Parameters of the benches beside those of the car.
+void AddBenches(const std::vector<BenchDoubt>& benches, ChoiceRequest& request) {
+  for (const BenchDoubt& bench : benches) {
+    const Index before = request.bench_draws.cols();
+    request.bench_draws.conservativeResize(bench.draws.rows(), before + bench.draws.cols());
+    request.bench_draws.rightCols(bench.draws.cols()) = bench.draws;
+    for (const std::string& name : bench.parameters)
+      request.parameters.push_back(name + " of " + bench.run.filename().string());
+  }
+}
+
 /// Of the present setting at the fitted values.
 Eigen::MatrixXd PresentMetrics(const ChoiceRequest& request) {
   const Place place{request.settings.file.string()};
@@ -122,6 +133,16 @@ ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hook
   if (answer.subject.empty()) answer.subject = request.run.parent_path().filename().string();
   ChoiceRequest& asked = answer.request;
   asked.settings = *std::move(settings);
+  BenchDraws benches = DrawBenches(asked.settings.knobs, asked.settings.file,
+                                   {.car = is_run ? request.run : std::filesystem::path(),
+                                    .count = asked.settings.draws,
+                                    .seed = asked.settings.seed,
+                                    .threads = request.threads},
+                                   hooks);
+  if (benches.is_interrupted) {
+    answer.choice.is_interrupted = true;
+    return answer;
+  }
   asked.metrics = car.metrics();
   asked.spectra = car.Spectra(asked.settings);
   asked.fitted = vehicle->ParameterValues();
@@ -132,7 +153,7 @@ ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hook
     asked.histories = car.Histories(asked.settings, CarMetrics::TimeEngine::kReduced);
     asked.full = car.Histories(asked.settings, CarMetrics::TimeEngine::kMultibody);
   }
-  Diagnostics findings;
+  Diagnostics findings = std::move(benches.findings);
   FittedRange range;
   if (is_run) {
     const std::optional<RunDraws> draws = DrawFromRun(
@@ -146,9 +167,15 @@ ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hook
     answer.confidence = draws->confidence;
     findings.Add(draws->findings);
     range = RangeOf(ReadResultFile(request.run / "result.json"));
-  } else {
+  } else if (benches.benches.empty()) {
     findings.Report(kChoiceWithoutDoubt, {request.run.string()});
+  } else {
+    findings.Report(kChoiceBenchDoubtOnly, {request.run.string()});
+    asked.draws = Eigen::Map<const Eigen::RowVectorXd>(asked.fitted.data(), static_cast<Index>(asked.fitted.size()))
+                      .replicate(static_cast<Index>(asked.settings.draws), 1);
   }
+  AddBenches(benches.benches, asked);
+  answer.benches = std::move(benches.benches);
   CheckBand(car, asked, answer.present_metrics, range.highest_Hz, findings);
   CheckSpeeds(car, *vehicle, asked, range, findings);
   hooks.Find(findings);

@@ -228,6 +228,15 @@ class Rating {
     return contenders;
   }
 
+  /// Of the car and of bench fits.
+  Eigen::MatrixXd KeptParameters() const {
+    Eigen::MatrixXd kept(static_cast<Index>(kept_.size()), request_.draws.cols() + request_.bench_draws.cols());
+    kept.leftCols(request_.draws.cols()) = request_.draws(kept_, Eigen::all);
+    if (request_.bench_draws.size() > 0)
+      kept.rightCols(request_.bench_draws.cols()) = request_.bench_draws(kept_, Eigen::all);
+    return kept;
+  }
+
   /// Draws whose parameters vary.
   void FindDeciding() {
     const std::vector<std::size_t> contenders = Contenders();
@@ -236,7 +245,7 @@ class Rating {
     for (std::size_t c = 0; c < contenders.size(); ++c)
       cost.row(static_cast<Index>(c)) = cost_.row(static_cast<Index>(contenders[c]));
     const auto rival = std::find(contenders.begin(), contenders.end(), choice_.rival) - contenders.begin();
-    choice_.deciding = DecidingParameters(cost, 0, static_cast<std::size_t>(rival), request_.draws(kept_, Eigen::all));
+    choice_.deciding = DecidingParameters(cost, 0, static_cast<std::size_t>(rival), KeptParameters());
     std::erase_if(choice_.deciding, [](const DecidingParameter& one) { return one.explained <= 0 && one.gain <= 0; });
     choice_.runs = InformativeRuns(cost, settings_.repeatability, kMostRuns);
     for (InformativeRun& run : choice_.runs) run.setting = contenders[run.setting];

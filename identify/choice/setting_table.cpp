@@ -63,10 +63,11 @@ bool SettingScore::MeetsLimits() const {
   return std::all_of(margins.begin(), margins.end(), [](double margin) { return margin >= 0; });
 }
 
-SettingScore ScoreOf(const SettableCar& car, const Setting& setting, std::span<const double> fitted) {
+SettingScore ScoreOf(const SettableCar& car, const Setting& setting, std::span<const double> fitted,
+                     std::optional<Index> draw) {
   SettingScore score;
   try {
-    const Eigen::MatrixXd metrics = car.metrics_of(ValuesAt(car.settings->knobs, setting, fitted));
+    const Eigen::MatrixXd metrics = car.metrics_of(ValuesAt(car.settings->knobs, setting, fitted, draw));
     const std::vector<double> weights = car.settings->RoadWeights();
     for (const Objective& objective : car.settings->objectives)
       score.objectives.push_back(OverRoads(metrics, objective.metric, weights));
@@ -126,7 +127,7 @@ SettingTable TableOf(const SettableCar& car, const std::vector<Setting>& setting
   ForEachInParallel(settings.size(), ThreadCount(threads), [&](std::size_t s) {
     for (Index d = 0; d < draws.rows() && !progress.IsStopped(); ++d) {
       const Eigen::VectorXd values = draws.row(d).transpose();
-      const SettingScore score = ScoreOf(car, settings[s], {values.data(), static_cast<std::size_t>(values.size())});
+      const SettingScore score = ScoreOf(car, settings[s], {values.data(), static_cast<std::size_t>(values.size())}, d);
       progress.Count();
       if (!score.IsGood()) {
         if (table.failures[s].empty()) table.failures[s] = score.failure;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,8 +35,9 @@ struct SettingScore {
   bool MeetsLimits() const;
 };
 
-/// `fitted`: parameter values of the possible car at its present setting.
-SettingScore ScoreOf(const SettableCar& car, const Setting& setting, std::span<const double> fitted);
+/// `fitted`: parameter values of the possible car at its present setting; `draw`: its number, for drawn positions.
+SettingScore ScoreOf(const SettableCar& car, const Setting& setting, std::span<const double> fitted,
+                     std::optional<Eigen::Index> draw = std::nullopt);
 
 /// Sum of objectives relative to those of the present setting, by their weights: 1 for the present one.
 double Compromise(const std::vector<Objective>& objectives, const SettingScore& score, const SettingScore& present);
@@ -59,7 +61,8 @@ struct SettingTable {
   bool is_interrupted = false;
 };
 
-/// `draws`: a row per draw, columns in the order of Vehicle::parameters, SI.
+/// `draws`: a row per draw, columns in the order of Vehicle::parameters, SI. All settings of a draw take the same drawn
+/// positions of knobs.
 SettingTable TableOf(const SettableCar& car, const std::vector<Setting>& settings, const Eigen::MatrixXd& draws,
                      int threads, const WorkHooks& hooks);
 
