@@ -89,8 +89,7 @@ std::string PageSummary(const ChoiceAnswer& answer) {
                                                           : "verdict fair";
   std::string html = html::Element("p", verdict, "<strong>" + html::Escaped(VerdictWords(answer)) + "</strong>") +
                      '\n' + RatedTable(answer, answer.NotableRows(kSummaryRows)) + Paragraph(DoubtWords(answer)) +
-                     Paragraph(IndistinctWords(answer)) +
-                     Paragraph(ClickWords(answer));
+                     Paragraph(IndistinctWords(answer)) + Paragraph(ClickWords(answer));
   std::string findings;
   for (const Diagnostic& finding : choice.findings.ByWeight())
     findings += html::Element("li", "", html::Escaped(finding.message)) + '\n';

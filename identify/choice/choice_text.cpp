@@ -62,8 +62,8 @@ std::string ChecksTable(const ChoiceAnswer& answer) {
 
 std::string ChoiceText(const ChoiceAnswer& answer) {
   std::string text = ScopeWords(answer) + "\n\n" + SettingsTable(answer) + '\n';
-  for (const std::string& words : {VerdictWords(answer), DoubtWords(answer), IndistinctWords(answer), ClickWords(answer),
-                                   DecidingWords(answer), RunWords(answer), EngineWords(answer)})
+  for (const std::string& words : {VerdictWords(answer), DoubtWords(answer), IndistinctWords(answer),
+                                   ClickWords(answer), DecidingWords(answer), RunWords(answer), EngineWords(answer)})
     if (!words.empty()) text += words + '\n';
   return text + ChecksTable(answer);
 }

@@ -53,8 +53,8 @@ std::string DoubtWords(const ChoiceAnswer& answer) {
   std::vector<std::string> held;
   if (!answer.confidence.empty()) held.emplace_back("parameters of the car");
   for (const BenchDoubt& bench : answer.benches)
-    held.push_back("the laws of " + Enumeration(bench.knobs) + " from the bench fit '" +
-                   bench.run.filename().string() + "' (" + bench.confidence + ")");
+    held.push_back("the laws of " + Enumeration(bench.knobs) + " from the bench fit '" + bench.run.filename().string() +
+                   "' (" + bench.confidence + ")");
   std::vector<std::string> not_held = {"what the model lacks on these roads"};
   const std::vector<std::string> exact = answer.ExactKnobs();
   if (!exact.empty()) not_held.push_back("the numbers of " + Enumeration(exact));

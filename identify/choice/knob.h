@@ -61,8 +61,8 @@ inline constexpr int kAsFitted = -1;
 /// The car as it is.
 Setting PresentSetting(const std::vector<Knob>& knobs);
 
-/// Parameter values (SI, order of Vehicle::parameters) of a car with the fitted values `fitted` at a setting; `draw`: the
-/// possible car whose drawn positions count.
+/// Parameter values (SI, order of Vehicle::parameters) of a car with the fitted values `fitted` at a setting; `draw`:
+/// the possible car whose drawn positions count.
 std::vector<double> ValuesAt(const std::vector<Knob>& knobs, const Setting& setting, std::span<const double> fitted,
                              std::optional<Eigen::Index> draw = std::nullopt);
 
