@@ -155,7 +155,7 @@ class RunningFit {
       coarse_->TellProgress([this](std::int64_t) { Report(); });
     }
     result_.values = objective.vehicle().ParameterValues();
-    result_.residual_count = objective.residual_count();
+    result_.residual_count = objective.residual_count() - objective.unmeasured_count();
     result_.prior_count = objective.prior_count();
     result_.options = options;
     result_.options.refine.step = options.refine.DifferenceStep(archive_.problem());

@@ -88,7 +88,7 @@ struct RefinedStart {
 struct FitResult {
   FitEnd end = FitEnd::kNotRun;
   std::string message;
-  /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many there are; priors included.
+  /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many of them were measured; priors included.
   double cost = 0;
   /// With which it was run; the step of differences is the one that was used.
   FitOptions options;

@@ -25,6 +25,7 @@ Optimum::Optimum(const VehicleObjective& objective, const Lattice& lattice, cons
       curvatures_(loss.OfData().Curvatures(residuals_)),
       slopes_(FitVariables(lattice).Slopes(best.values)),
       structure_(JoinedStructure(objective.blocks())),
+      unmeasured_(objective.unmeasured_count()),
       // With a loss the cost is that of squares that would leave the same variance, but never less than the squares
       // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
       cost_(std::max(residuals_.squaredNorm(), loss.OfData().EquivalentCost(residuals_))),
@@ -37,6 +38,7 @@ Optimum::Optimum(const VehicleObjective& objective, const Lattice& lattice, cons
 Covariance Optimum::NoiseCovariance(const std::vector<Index>& held) const {
   CovarianceOptions options;
   options.held = held;
+  options.unmeasured = unmeasured_;
   Covariance covariance = EstimateCovariance(jacobian_, slopes_, cost_, options, priors_);
   if (noise_.HasTime()) UseScoreCovariance(Hessian(curvatures_), Score(), slopes_, covariance);
   return covariance;

@@ -74,6 +74,7 @@ class Optimum {
   Eigen::VectorXd curvatures_;
   Eigen::VectorXd slopes_;
   ResidualStructure structure_;
+  Eigen::Index unmeasured_ = 0;
   double cost_;
   Eigen::MatrixXd input_noise_;
   ResidualNoise noise_;

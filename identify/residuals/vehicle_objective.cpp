@@ -17,7 +17,10 @@ VehicleObjective::VehicleObjective(Vehicle vehicle, std::vector<std::size_t> fre
       calibrations_(std::move(calibrations)) {
   CollectPriors();
   residual_count_ = prior_count();
-  for (const ResidualBlock& block : blocks_) residual_count_ += block.count;
+  for (const ResidualBlock& block : blocks_) {
+    residual_count_ += block.count;
+    unmeasured_count_ += block.unmeasured;
+  }
 }
 
 void VehicleObjective::CollectPriors() {

@@ -49,6 +49,8 @@ class VehicleObjective {
   const std::vector<Calibration>& calibrations() const { return calibrations_; }
   /// Priors included.
   Eigen::Index residual_count() const { return residual_count_; }
+  /// Of these, those that are 0 whatever the values, so that no statistics count them.
+  Eigen::Index unmeasured_count() const { return unmeasured_count_; }
   Eigen::Index prior_count() const { return static_cast<Eigen::Index>(priors_.size()); }
 
  private:
@@ -67,6 +69,7 @@ class VehicleObjective {
   std::vector<Calibration> calibrations_;
   std::vector<Prior> priors_;
   Eigen::Index residual_count_ = 0;
+  Eigen::Index unmeasured_count_ = 0;
 };
 
 }  // namespace fourpost

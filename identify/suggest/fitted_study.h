@@ -34,6 +34,8 @@ class FittedStudy {
 
   /// Residuals of the data, and how many independent ones these or others are worth.
   Eigen::Index data_count() const { return fitted_.point().residuals.size() - objective_.prior_count(); }
+  /// Those of samples that were measured.
+  Eigen::Index measured_count() const { return data_count() - objective_.unmeasured_count(); }
   double Effective(const Eigen::VectorXd& residuals) const;
   /// The same of residuals that have their weights.
   double EffectiveOfWeighted(const Eigen::VectorXd& residuals) const;

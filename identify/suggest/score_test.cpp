@@ -241,17 +241,20 @@ double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStruct
     if (series.count < 4) continue;
     double squares = 0;
     double products = 0;
+    Index measured = 0;
     for (Index i = 0; i < series.count; ++i) {
       const double here = residuals[series.first + i * series.step];
       squares += here * here;
+      // Those of samples that were not measured are 0 and say nothing.
+      measured += here != 0 ? 1 : 0;
       if (i + 1 < series.count) products += here * residuals[series.first + (i + 1) * series.step];
     }
-    if (!(squares > 0)) continue;
-    const auto n = static_cast<double>(series.count);
+    if (measured < 4) continue;
+    const auto n = static_cast<double>(measured);
     const double correlation = std::clamp(products / squares * n / (n - 1), 0.0, 0.999);
     // Of white noise it is 1/sqrt(n) by chance.
     const double beyond = correlation > 2 / std::sqrt(n) ? correlation : 0;
-    effective -= n - std::max(2.0, n * (1 - beyond) / (1 + beyond));
+    effective -= static_cast<double>(series.count) - std::max(2.0, n * (1 - beyond) / (1 + beyond));
   }
   return std::max(effective, 4.0);
 }

@@ -40,7 +40,7 @@ class Suggester {
   void DescribePoint() {
     const FittedPoint& point = fitted_.point();
     result_.cost = point.loss.Cost(point.residuals);
-    result_.residuals = study_.data_count();
+    result_.residuals = study_.measured_count();
     result_.effective = study_.Effective(point.residuals);
     result_.misfit = study_.Misfit();
     result_.tried = trials_.all().size();

@@ -94,7 +94,7 @@ void TrialList::LeaveOutOtherCount(std::optional<Eigen::VectorXd>& residuals) co
 }
 
 void TrialList::Test() {
-  const double promise = LeastPromise(study_.base().cost, study_.data_count(), trials_.size());
+  const double promise = LeastPromise(study_.base().cost, study_.measured_count(), trials_.size());
   LookAtAll(promise);
   EvaluateThePromising(promise);
 }

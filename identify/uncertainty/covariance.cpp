@@ -110,7 +110,7 @@ Covariance OfJudged(const Eigen::MatrixXd& jacobian, double cost, const Covarian
   Covariance covariance;
   covariance.directions.resize(0, 0);
   if (jacobian.cols() > 0) Decompose(jacobian, options.rank_threshold, covariance);
-  if (options.inflate) covariance.inflation = Inflation(cost, jacobian.rows(), covariance.rank);
+  if (options.inflate) covariance.inflation = Inflation(cost, jacobian.rows() - options.unmeasured, covariance.rank);
   double inflation = covariance.inflation;
   if (priors.rows() > 0 && jacobian.cols() > 0) {
     Decompose(WithPriors(covariance, priors, options.share_threshold), kRounding, covariance);
@@ -119,7 +119,7 @@ Covariance OfJudged(const Eigen::MatrixXd& jacobian, double cost, const Covarian
   covariance.variable_sd.resize(jacobian.cols());
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j)
     covariance.variable_sd[j] = inflation * VariableSd(covariance, j, options.share_threshold);
-  const Eigen::Index free_residuals = jacobian.rows() + priors.rows() - jacobian.cols();
+  const Eigen::Index free_residuals = jacobian.rows() - options.unmeasured + priors.rows() - jacobian.cols();
   covariance.reach_95 = StudentT95(static_cast<double>(std::max<Eigen::Index>(free_residuals, 1)));
   return covariance;
 }

@@ -20,6 +20,8 @@ struct CovarianceOptions {
   /// Multiply standard deviations of the data by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data
   /// by more than their noise.
   bool inflate = true;
+  /// Rows of the Jacobian whose samples were not measured; N counts the others.
+  Eigen::Index unmeasured = 0;
   /// Parameters that take no part, such as those at a bound; the others are judged while these stay.
   std::vector<Eigen::Index> held = {};
 

@@ -54,6 +54,14 @@ Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& target
   return evaluation;
 }
 
+Eigen::Index UnmeasuredOf(const std::vector<Target>& targets) {
+  Eigen::Index count = 0;
+  for (const Target& target : targets)
+    for (std::size_t k = target.recording.first; k < target.recording.end; k += target.stride)
+      count += target.recording.IsUnknown(k) ? 1 : 0;
+  return count;
+}
+
 /// Bump and rebound have rates of their own, each in three classes of speed of equal size.
 class SpeedClasses {
  public:
@@ -119,9 +127,11 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
     count += targets.back().count;
   }
   const auto residuals = static_cast<Eigen::Index>(count);
+  const Eigen::Index unmeasured = UnmeasuredOf(targets);
   ResidualStructure structure = StructureOf(targets);
   return {.name = "bench recordings",
           .count = residuals,
+          .unmeasured = unmeasured,
           // Neighbouring values take nearly the same steps: forces change by a hundredth of what they err, see
           // kSeriesTolerance.
           .accuracy = 1e-7,

@@ -31,6 +31,12 @@ Eigen::VectorXd MeasuredSignal::MeasuredOr(const Eigen::Ref<const Eigen::VectorX
   return measured;
 }
 
+Index MeasuredSignal::UnknownCount(Index stride) const {
+  Index count = 0;
+  for (Index k = 0; k < std::ssize(is_unknown); k += stride) count += is_unknown[static_cast<std::size_t>(k)] ? 1 : 0;
+  return count;
+}
+
 void MeasuredSignal::KeepMeasured(Index stride, Eigen::MatrixXd& rows) const {
   if (is_unknown.empty()) return;
   Eigen::VectorXd known(rows.rows());

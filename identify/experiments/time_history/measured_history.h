@@ -34,6 +34,8 @@ struct MeasuredSignal {
   /// What was measured; where nothing was, what the model gives, so that it weighs nothing: offsets of both are then
   /// equal over the other samples.
   Eigen::VectorXd MeasuredOr(const Eigen::Ref<const Eigen::VectorXd>& modelled) const;
+  /// Of every `stride`-th sample, those that were not measured.
+  Eigen::Index UnknownCount(Eigen::Index stride) const;
   /// Of rows at every `stride`-th sample, such as parts of the model: without their mean where there was a measurement,
   /// 0 elsewhere.
   void KeepMeasured(Eigen::Index stride, Eigen::MatrixXd& rows) const;

@@ -215,6 +215,16 @@ TEST(EffectiveResiduals, AreThoseOfAnAutoregression) {
   EXPECT_NEAR(EffectiveResiduals(noise, structure), kSamples / 9.0, 0.05 * kSamples / 9);
 }
 
+// Samples that were not measured have residuals of 0.
+TEST(EffectiveResiduals, LeaveOutSamplesThatWereNotMeasured) {
+  constexpr Index kSamples = 20000;
+  ResidualStructure structure;
+  structure.series.push_back({.first = 0, .count = kSamples, .step = 1});
+  VectorXd noise = White(kSamples, 3);
+  noise.segment(5000, 8000).setZero();
+  EXPECT_NEAR(EffectiveResiduals(noise, structure), 12000, 0.05 * 12000);
+}
+
 TEST(CriterionChange, IsThatOfChenAndChen) {
   EXPECT_DOUBLE_EQ(CriterionChange(100, 50, 100, 80, 2, 30),
                    80 * std::log(0.5) + 2 * std::log(80.0) + 2 * std::log(30.0));

@@ -85,6 +85,12 @@ TEST(Covariance, InflatesByTheExcessOfTheCost) {
   EXPECT_EQ(EstimateCovariance(jacobian, Ones(4), 13).inflation, 1);
   const Covariance inflated = EstimateCovariance(jacobian, Ones(4), 9 * 26);
   EXPECT_DOUBLE_EQ(inflated.inflation, 3);
+  // As of a Jacobian without the rows that say nothing.
+  Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(jacobian.rows() + 100, jacobian.cols());
+  longer.topRows(jacobian.rows()) = jacobian;
+  const Covariance measured = EstimateCovariance(longer, Ones(4), 9 * 26, {.unmeasured = 100});
+  EXPECT_DOUBLE_EQ(measured.inflation, 3);
+  EXPECT_DOUBLE_EQ(measured.reach_95, inflated.reach_95);
   EXPECT_NEAR(inflated.reach_95, 2.056, 5e-4);             // a table of Student's t
   EXPECT_TRUE(inflated.sd.isApprox(3 * plain.sd, 1e-15));  // rounding
   CovarianceOptions options;

@@ -179,6 +179,15 @@ TEST_F(BenchDataTest, SamplesInAGapHaveNoWeight) {
   EXPECT_EQ(std::count(Bench(*study).data.fitted.at(0).is_unknown.begin(),
                        Bench(*study).data.fitted.at(0).is_unknown.end(), 1),
             99);
+  // Nor do they count as data: of every eighth sample, those from row 600 on.
+  const auto zeros = (evaluation.residuals.array() == 0).count();
+  EXPECT_GT(zeros, 0);
+  EXPECT_EQ(block.unmeasured, zeros);
+  const VehicleObjective objective = study->MakeObjective();
+  EXPECT_EQ(objective.unmeasured_count(), zeros);
+  FitOptions options = FitOptionsOf(study->study, objective);
+  options.stop.max_evaluations = 1;
+  EXPECT_EQ(Fit(objective, options).residual_count, evaluation.residuals.size() - zeros);
 }
 
 // Nor in the error that is reported: that is as of the samples that were measured, over all.

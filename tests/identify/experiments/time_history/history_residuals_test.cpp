@@ -69,6 +69,8 @@ TEST_F(HistoryResidualsTest, DoNotDependOnSamplesThatWereNotMeasured) {
     EXPECT_NEAR(WorstNmse(invented), nmse, 0.01 * nmse);
     EXPECT_NEAR(invented.At(vehicle_.ParameterValues()).norm(), as_they_were.At(vehicle_.ParameterValues()).norm(),
                 0.02 * as_they_were.At(vehicle_.ParameterValues()).norm());
+    EXPECT_EQ(invented.unmeasured(), (invented.At(vehicle_.ParameterValues()).array() == 0).count());
+    EXPECT_GT(invented.unmeasured(), 0);
   }
 }
 
