@@ -27,6 +27,45 @@ constexpr std::array<Spelling, 13> kSpellings = {{
     {"sec", "s"},
 }};
 
+// Exact by the international yard and pound of 1959 and the standard gravity.
+constexpr double kGravity = 9.80665;
+constexpr double kInch = 0.0254;
+constexpr double kPound = 0.45359237;
+constexpr double kPoundForce = kPound * kGravity;
+
+struct RecordedUnit {
+  std::string_view name;
+  double si = 1;
+  Dimension dimension;
+};
+
+/// Those that ParseUnit does not take, or takes as something else. "lb" may be a mass or a force, and is neither.
+constexpr std::array<RecordedUnit, 23> kRecordedUnits = {{
+    {"g", kGravity, kAcceleration},
+    {"gn", kGravity, kAcceleration},
+    {"um", 1e-6, kLength},
+    {"mil", 1e-3 * kInch, kLength},
+    {"in", kInch, kLength},
+    {"inch", kInch, kLength},
+    {"ft", 12 * kInch, kLength},
+    {"in/s", kInch, kVelocity},
+    {"ips", kInch, kVelocity},
+    {"ft/s", 12 * kInch, kVelocity},
+    {"in/s^2", kInch, kAcceleration},
+    {"ft/s^2", 12 * kInch, kAcceleration},
+    {"daN", 10, kForce},
+    {"kgf", kGravity, kForce},
+    {"lbf", kPoundForce, kForce},
+    {"kip", 1000 * kPoundForce, kForce},
+    {"klbf", 1000 * kPoundForce, kForce},
+    {"lbm", kPound, kMass},
+    {"slug", kPoundForce / (12 * kInch), kMass},
+    {"hPa", 100, kPressure},
+    {"mbar", 100, kPressure},
+    {"psi", kPoundForce / (kInch * kInch), kPressure},
+    {"ksi", 1000 * kPoundForce / (kInch * kInch), kPressure},
+}};
+
 std::string Normalised(std::string_view text) {
   std::string normal(text);
   for (const auto& [from, to] : kSpellings)
@@ -52,19 +91,10 @@ std::optional<NamedColumn> SplitAt(std::string_view text, char open, char close)
 }  // namespace
 
 std::optional<Unit> ParseRecordedUnit(std::string_view text) {
-  constexpr double kGravity = 9.80665;
   const std::string unit = Normalised(Trimmed(text));
-  if (unit == "g" || unit == "gn") return Unit{kGravity, kAcceleration};
-  if (unit == "um") return Unit{1e-6, kLength};
   if (unit == "-") return Unit{};
-  // Exact by the international yard and pound of 1959.
-  constexpr double kInch = 0.0254;
-  constexpr double kPound = 0.45359237;
-  if (unit == "in" || unit == "inch") return Unit{kInch, kLength};
-  if (unit == "in/s") return Unit{kInch, kVelocity};
-  if (unit == "ft") return Unit{12 * kInch, kLength};
-  if (unit == "ft/s^2") return Unit{12 * kInch, kAcceleration};
-  if (unit == "lbf") return Unit{kPound * kGravity, kForce};
+  for (const RecordedUnit& known : kRecordedUnits)
+    if (unit == known.name) return Unit{known.si, known.dimension};
   return ParseUnit(unit);
 }
 

@@ -8,7 +8,8 @@
 
 namespace fourpost {
 
-/// A unit as measurement systems write it: all that ParseUnit takes, and "m/s²", "m/s2", "mm/sec", "°/s", "µm", "-".
+/// A unit as measurement systems write it: all that ParseUnit takes, and "m/s²", "m/s2", "mm/sec", "°/s", "µm", "-",
+/// "in", "ft", "mil", "lbf", "kip", "kgf", "psi", "ksi", "lbm", "slug", "mbar".
 /// In a recording "g" is the standard gravity; nobody records grams. Bytes of Latin-1 count as those of UTF-8.
 std::optional<Unit> ParseRecordedUnit(std::string_view text);
 

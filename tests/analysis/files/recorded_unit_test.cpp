@@ -26,6 +26,16 @@ TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
                {"in", 0.0254, kLength},
                {"lbf", 4.4482216152605, kForce},
                {"ft/s2", 0.3048, kAcceleration},
+               // NIST SP 811, appendix B.8, to its digits where it has fewer.
+               {"kip", 4448.2216152605, kForce},
+               {"klbf", 4448.2216152605, kForce},
+               {"kgf", 9.80665, kForce},
+               {"daN", 10, kForce},
+               {"lbm", 0.45359237, kMass},
+               {"mil", 2.54e-5, kLength},
+               {"in/s2", 0.0254, kAcceleration},
+               {"ft/s", 0.3048, kVelocity},
+               {"mbar", 100, kPressure},
                {"-", 1, kDimensionless}};
   for (const auto& [text, si, dimension] : cases) {
     const std::optional<Unit> unit = ParseRecordedUnit(text);
@@ -33,6 +43,15 @@ TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
     EXPECT_DOUBLE_EQ(unit->si, si) << text;
     EXPECT_EQ(unit->dimension, dimension) << text;
   }
+}
+
+// NIST SP 811, appendix B.8, prints seven digits of these.
+TEST(RecordedUnit, OfPressureAndSlugsIsThatOfTheTables) {
+  constexpr double kPrinted = 1e-6;
+  EXPECT_NEAR(ParseRecordedUnit("psi").value().si / 6894.757, 1, kPrinted);
+  EXPECT_NEAR(ParseRecordedUnit("ksi").value().si / 6.894757e6, 1, kPrinted);
+  EXPECT_NEAR(ParseRecordedUnit("slug").value().si / 14.59390, 1, kPrinted);
+  EXPECT_FALSE(ParseRecordedUnit("lb"));
 }
 
 TEST(RecordedUnit, IsNothingForWhatIsNone) {
