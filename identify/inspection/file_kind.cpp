@@ -10,7 +10,7 @@
 namespace fourpost {
 namespace {
 
-enum class FileKind { kVehicle, kStudy, kTable, kPicture, kResult, kFolder, kUnknown };
+enum class FileKind { kVehicle, kStudy, kTable, kPicture, kJson, kFolder, kUnknown };
 
 FileKind KindOf(const std::filesystem::path& file) {
   std::error_code failure;
@@ -21,7 +21,7 @@ FileKind KindOf(const std::filesystem::path& file) {
   if (ending == ".yaml" || ending == ".yml") return FileKind::kStudy;
   if (ending == ".csv") return FileKind::kTable;
   if (ending == ".svg" || ending == ".png") return FileKind::kPicture;
-  if (ending == ".json") return FileKind::kResult;
+  if (ending == ".json") return FileKind::kJson;
   return FileKind::kUnknown;
 }
 
@@ -31,7 +31,7 @@ const char* Called(FileKind kind) {
     case FileKind::kStudy: return "a study";
     case FileKind::kTable: return "a table";
     case FileKind::kPicture: return "a picture";
-    case FileKind::kResult: return "a result";
+    case FileKind::kJson: return "a JSON file";
     case FileKind::kFolder: return "a folder";
     case FileKind::kUnknown: break;
   }
@@ -69,7 +69,7 @@ bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {
     case FileKind::kStudy:
     case FileKind::kFolder: faults.Report(kFolderForRecording, {file.string()}); return false;
     case FileKind::kPicture:
-    case FileKind::kResult:
+    case FileKind::kJson:
       faults.Report(kFileOfOtherKind, {file.string()},
                     {Called(kind), "a recording (.csv, .mat, .rsp, .uff, .tdms, .mf4, .lvm, .h5)"});
       return false;

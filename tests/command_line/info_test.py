@@ -111,6 +111,12 @@ class Info(ProgramTest):
         self.assertGreater(told["rest_s"][0], 31.9)
         self.assertLess(told["rest_s"][1], 36.01)
 
+    def test_calls_json_of_others_no_result(self):
+        self.write("config.json", '{"rig": 1}')
+        errors = self.run_program("check", "config.json", code=3).stderr
+        self.assert_finding(errors, "file-of-other-kind", "config.json")
+        self.assertIn("this is a JSON file", errors)
+
     def test_tells_why_a_fit_refuses_a_bench_recording(self):
         def bench(names, units, sign):
             rows = [(t, x, sign * 300 * math.cos(2 * math.pi * 5.0317 * t)) for t, x, _ in samples()]
