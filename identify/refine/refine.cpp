@@ -28,13 +28,7 @@ class ResidualFunction : public ceres::CostFunction {
  public:
   ResidualFunction(Archive& archive, const FitVariables& variables, const RefineOptions& options,
                    const Eigen::VectorXd& x, const Eigen::VectorXd& residuals)
-      : archive_(archive),
-        variables_(variables),
-        step_(options.DifferenceStep(archive.problem())),
-        differences_(options.differences),
-        loss_(options.loss),
-        held_(options.held),
-        here_{x, residuals} {
+      : archive_(archive), variables_(variables), options_(options), loss_(options.loss), here_{x, residuals} {
     set_num_residuals(static_cast<int>(residuals.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(x.size()));
   }
@@ -46,16 +40,15 @@ class ResidualFunction : public ceres::CostFunction {
     const Eigen::VectorXd transformed = loss_.Transformed(here_.residuals);
     Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = transformed;
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    if (!Linearise()) return false;
-    const Eigen::VectorXd slopes = loss_.Slopes(here_.residuals);
-    const Eigen::VectorXd gradient = jacobian_.transpose() * slopes.cwiseProduct(transformed);
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> free(jacobians[0], num_residuals(), x.size());
-    free = slopes.asDiagonal() * jacobian_;
-    for (Eigen::Index j = 0; j < x.size(); ++j) {
-      if (IsHeld(j, gradient[j])) free.col(j).setZero();
+    if (MayBeFar()) {
+      if (!Linearise(Differences::kForward)) return false;
+      FindFree(transformed, free);
+      if (IsFar(transformed.squaredNorm())) return true;
+      is_near_ = true;
     }
-    FindFullGain(free, transformed);
+    if (!Linearise(options_.differences)) return false;
+    FindFree(transformed, free);
     return true;
   }
 
@@ -87,12 +80,14 @@ class ResidualFunction : public ceres::CostFunction {
   }
 
   // The Jacobian where MoveTo() went.
-  bool Linearise() const {
-    if (linearised_ && here_.x == linearised_->x) return true;
+  bool Linearise(Differences differences) const {
+    if (linearised_ && here_.x == linearised_->x && linearised_by_ == differences) return true;
+    const double step = options_.step > 0 ? options_.step : StepFor(archive_.problem().accuracy, differences);
     std::optional<Eigen::MatrixXd> jacobian =
-        DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_, differences_);
+        DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step, differences);
     if (!jacobian) return false;
     linearised_ = here_;
+    linearised_by_ = differences;
     jacobian_ = *std::move(jacobian);
     failure_.clear();
     return true;
@@ -107,6 +102,32 @@ class ResidualFunction : public ceres::CostFunction {
   const std::string& failure() const { return failure_; }
 
  private:
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// Whether forward differences, at half the price, might do.
+  bool MayBeFar() const {
+    return options_.differences == Differences::kAutomatic && !archive_.problem().differentiate && !is_near_;
+  }
+
+  /// Whether a run may still gain so much that the errors of forward differences do not lead it astray: ten standard
+  /// deviations, or of few residuals a tenth of the cost.
+  bool IsFar(double cost) const {
+    constexpr double kDeviations = 10;
+    constexpr double kShare = 0.1;
+    return full_gain_ > std::min(kDeviations * kDeviations / freedom(), kShare) * cost;
+  }
+
+  /// The Jacobian of the transformed residuals, without the columns of variables that are held.
+  void FindFree(const Eigen::VectorXd& transformed, Eigen::Map<RowMajor>& free) const {
+    const Eigen::VectorXd slopes = loss_.Slopes(here_.residuals);
+    const Eigen::VectorXd gradient = jacobian_.transpose() * slopes.cwiseProduct(transformed);
+    free = slopes.asDiagonal() * jacobian_;
+    for (Eigen::Index j = 0; j < free.cols(); ++j) {
+      if (IsHeld(j, gradient[j])) free.col(j).setZero();
+    }
+    FindFullGain(free, transformed);
+  }
+
   void FindFullGain(const Eigen::Ref<const Eigen::MatrixXd>& jacobian, const Eigen::VectorXd& residuals) const {
     const Eigen::VectorXd norms = jacobian.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
     const Eigen::MatrixXd scaled = jacobian * norms.cwiseInverse().asDiagonal();
@@ -118,19 +139,20 @@ class ResidualFunction : public ceres::CostFunction {
   // cuts it off there, which leaves the other variables short of their optimum; without its column in the Jacobian,
   // this one has no part in it.
   bool IsHeld(Eigen::Index j, double gradient) const {
-    if (std::find(held_.begin(), held_.end(), j) != held_.end()) return true;
+    const std::vector<Eigen::Index>& held = options_.held;
+    if (std::find(held.begin(), held.end(), j) != held.end()) return true;
     return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
   }
 
   Archive& archive_;
   const FitVariables& variables_;
-  double step_;
-  Differences differences_;
+  const RefineOptions& options_;
   const RobustLoss& loss_;
-  const std::vector<Eigen::Index>& held_;
   // Ceres evaluates through const.
   mutable Residuals here_;
   mutable std::optional<Residuals> linearised_;
+  mutable Differences linearised_by_ = Differences::kAutomatic;
+  mutable bool is_near_ = false;
   mutable Eigen::MatrixXd jacobian_;
   mutable std::string failure_;
   mutable double full_gain_ = std::numeric_limits<double>::infinity();
@@ -304,7 +326,7 @@ RefineResult Descend(Archive& archive, const FitVariables& variables, const Refi
   } else {
     function.MoveToBest();
   }
-  if (function.Linearise()) result.jacobian = function.jacobian();
+  if (function.Linearise(options.differences)) result.jacobian = function.jacobian();
   here = {function.x(), function.residuals()};
   result.values = variables.ToValues(here.x);
   result.residuals = here.residuals;
