@@ -76,8 +76,8 @@ double UsualSwings(const std::vector<Between>& all) {
 
 std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked, bool are_stated) {
   constexpr double kLong_s = 2;
-  // Two cycles.
-  constexpr double kSwings = 4;
+  constexpr int kCycle = 2;
+  constexpr double kSwings = 2 * kCycle;
   constexpr std::size_t kShown = 3;
   const double rate_Hz = looked.recording.rate_Hz;
   const std::vector<Between> all = LookBetween(looked);
@@ -85,7 +85,9 @@ std::vector<std::string> MotionsWithoutDwell(const LookedAt& looked, bool are_st
   std::vector<std::string> list;
   std::size_t others = 0;
   for (const Between& between : all) {
-    const bool is_long = static_cast<double>(between.last - between.first) > kLong_s * rate_Hz + between.slack;
+    // A ramp to another height swings less than a cycle.
+    const bool is_long = between.swings >= kCycle &&
+                         static_cast<double>(between.last - between.first) > kLong_s * rate_Hz + between.slack;
     if (!is_long && between.swings < kSwings + usual) continue;
     if (list.size() == kShown) {
       ++others;

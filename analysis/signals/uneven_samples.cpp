@@ -23,6 +23,19 @@ std::vector<double> Slopes(std::span<const double> times, std::span<const double
   return slopes;
 }
 
+/// Of each sample but the last: whether the signal stands between it and the next one, within at least four equal
+/// samples. A cubic would round the corners of a clipped signal off, by which it is known.
+std::vector<bool> StandsBehind(std::span<const double> values) {
+  constexpr std::size_t kFewestStanding = 4;
+  std::vector<bool> stands(values.size() - 1, false);
+  for (std::size_t k = 0, end = 0; k < values.size(); k = end) {
+    while (end < values.size() && values[end] == values[k]) ++end;
+    if (end - k >= kFewestStanding) std::fill_n(stands.begin() + static_cast<std::ptrdiff_t>(k), end - k - 1, true);
+    if (end == k) ++end;  // NaN equals nothing
+  }
+  return stands;
+}
+
 }  // namespace
 
 std::vector<double> InterpolatedAt(std::span<const double> times, std::span<const double> values,
@@ -32,12 +45,17 @@ std::vector<double> InterpolatedAt(std::span<const double> times, std::span<cons
   for (std::size_t k = 1; k < times.size(); ++k)
     RequireOption(times[k] > times[k - 1], "InterpolatedAt: times", times[k], "above the one before");
   const std::vector<double> slopes = Slopes(times, values);
+  const std::vector<bool> stands = StandsBehind(values);
   std::vector<double> interpolated;
   interpolated.reserve(at.size());
   std::size_t k = 0;
   for (const double time : at) {
     if (time < times[k]) k = 0;
     while (k + 2 < times.size() && times[k + 1] < time) ++k;
+    if (stands[k] && time >= times[k] && time <= times[k + 1]) {
+      interpolated.push_back(values[k]);
+      continue;
+    }
     const double width = times[k + 1] - times[k];
     const double u = (time - times[k]) / width;
     const double v = 1 - u;

@@ -6,6 +6,7 @@
 
 #include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/bench_vehicle.h"
 #include "vehicles/lint/findings.h"
 #include "vehicles/loops/motion_name.h"
 
@@ -79,6 +80,7 @@ std::string TyreDamping(const LintSubject& subject, const Mode& mode, Direction 
 }  // namespace
 
 void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
+  if (IsBenchVehicle(subject.vehicle)) return;
   std::set<std::string> reported;  // a motion may have parts that go by one name
   for (const NamedMotion& motion : NameMotions(subject.links, FreeMotions(subject)))
     if (reported.insert(motion.Text()).second)

@@ -7,6 +7,7 @@
 
 #include "vehicles/description/body_box.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/bench_vehicle.h"
 #include "vehicles/lint/findings.h"
 
 namespace fourpost {
@@ -94,7 +95,7 @@ void LintPosts(const DrawnVehicle& drawn, FileFaults& findings) {
 }
 
 void LintSensors(const DrawnVehicle& drawn, FileFaults& findings) {
-  if (drawn.vehicle.sensors.empty()) findings.Report(kSensorsNone, 0);
+  if (drawn.vehicle.sensors.empty() && !IsBenchVehicle(drawn.vehicle)) findings.Report(kSensorsNone, 0);
 }
 
 }  // namespace fourpost

@@ -95,6 +95,12 @@ inline const Finding kChannelSaturated{
 inline const Finding kSamplesSaturated{"samples-saturated", Severity::kWarning,
                                        "'{}' {} of {}, like a saturated sensor, so these samples have no weight",
                                        "record it with a larger range"};
+inline const Finding kPostSaturated{
+    "post-saturated", Severity::kWarning,
+    "the height of post '{}' {} of {}, though it has noise: how the post moved there is not known, and parameters "
+    "follow "
+    "what is wrong",
+    "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
 inline const Finding kPostsUnitMistaken{
     "posts-unit-mistaken", Severity::kError,
     "the heights of the posts of '{}' are in another unit than stated, by a factor of 1000: {}",

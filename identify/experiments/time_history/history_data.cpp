@@ -13,6 +13,7 @@
 #include "analysis/signals/motionless.h"
 #include "analysis/signals/noise_floor.h"
 #include "analysis/signals/random_stream.h"
+#include "analysis/signals/signal_levels.h"
 #include "analysis/signals/spectrum.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
@@ -87,6 +88,7 @@ class HistoryLoader {
       const bool is_known = post_noise_[p].has_value() || study_.posts.empty();
       history.post_noise_sd.push_back(is_known ? post_noise_[p].value_or(0) : NoiseFloor(history.heights[p]));
       history.post_noise_is_stated.push_back(is_known);
+      CheckPost(p, history);
     }
     AddSignals(*recording, noise, history);
     return history;
@@ -374,6 +376,19 @@ class HistoryLoader {
       for (Index k = 0; k < history.count; ++k)
         if (Stands(all[history.first + k], *ends)) LeaveOut(k, signal);
     return !is_left_out;
+  }
+
+  /// A post may well stand, at the end of a ramp, but not exactly where its transducer has noise.
+  void CheckPost(std::size_t post, const MeasuredHistory& history) {
+    if (history.heights[post].empty()) return;
+    const auto window = std::span(history.heights[post])
+                            .subspan(static_cast<std::size_t>(history.first), static_cast<std::size_t>(history.count));
+    if (history.post_noise_sd[post] <= LevelOf(window)) return;
+    const std::optional<ClippedEnds> ends = ClippingAtEnds(window);
+    if (ends && ends->is_exact())
+      diagnostics_.Report(kPostSaturated, {file_, study_.line},
+                          {posts_[post], ends->Text("m", history.TimeAt(static_cast<Index>(ends->first()))),
+                           study_.file.filename().string()});
   }
 
   /// At an end that it reaches exactly.

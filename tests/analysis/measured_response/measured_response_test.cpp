@@ -253,6 +253,19 @@ TEST(MeasuredResponse, NamesMotionsWithoutADwellByTheirCycles) {
   EXPECT_THAT(stated->missed[0], testing::Not(testing::HasSubstr("state the frequencies")));
 }
 
+// To another height within three seconds, and to rest: no dwell was missed there.
+TEST(MeasuredResponse, TakesNoRampForAMotionWithoutDwell) {
+  std::vector<double> post = SteppedSine({4, 8}, 20, kRate);
+  const double height = 2 * RigAmplitude(4);
+  for (double k = 0; k < 3 * kRate; ++k) post.push_back(height * k / (3 * kRate));
+  for (const double sample : SteppedSine({12}, 20, kRate)) post.push_back(height + sample);
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  EXPECT_EQ(measured->dwells, 3);
+  EXPECT_THAT(measured->missed, testing::IsEmpty());
+}
+
 // As one counts: "1 dwell", "1 frequency".
 TEST(MeasuredResponse, OfOneDwellIsInTheSingular) {
   const std::vector<double> post = SteppedSine({4}, 20, kRate);

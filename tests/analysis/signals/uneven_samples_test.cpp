@@ -38,6 +38,19 @@ TEST(UnevenSamples, ErrorFallsWithTheThirdPowerOfTheSpacing) {
   EXPECT_GT(error(0.05) / error(0.025), 6);
 }
 
+// As a clipped signal, which is known by it; beside it the cubic stays below.
+TEST(UnevenSamples, StandBetweenEqualSamples) {
+  const std::vector<double> times = {0, 1, 2.1, 3, 4.2, 5, 6};
+  const std::vector<double> values = {0.1, 0.7, 0.9, 0.9, 0.9, 0.9, 0.2};
+  std::vector<double> at;
+  for (double t = 0; t < 6; t += 0.013) at.push_back(t);
+  const std::vector<double> interpolated = InterpolatedAt(times, values, at);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (at[k] >= 2.1 && at[k] <= 5) EXPECT_EQ(interpolated[k], 0.9) << at[k];
+    else EXPECT_LE(interpolated[k], 0.9) << at[k];
+  }
+}
+
 TEST(UnevenSamples, RefusesTimesThatDoNotRise) {
   const std::vector<double> values = {1, 2, 3};
   EXPECT_THROW(InterpolatedAt(std::vector<double>{0, 1, 1}, values, values), std::invalid_argument);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/lint/odd_vehicle.h"
+#include "vehicles/lint/bench_vehicle.h"
 #include "vehicles/lint/findings.h"
 
 namespace fourpost::motion_lint_test {
@@ -69,6 +70,26 @@ TEST_F(VehicleLintTest, TellsOnceWhatATwinHasAsWell) {
   const std::string text = Replaced(bare, "</robot>", mirrored);
   Look(text);
   ExpectWarning(text, "<fp:spring name=\"tie_left\"", kNumberUnusual, {"stiffness", "fp:spring 'tie_left'", "9 N/m"});
+}
+
+Vehicle ShippedDamper() {
+  Diagnostics diagnostics;
+  return ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies/damper/model2.urdf", diagnostics).value();
+}
+
+TEST(BenchVehicle, HasNothingToFind) { EXPECT_THAT(Findings(ShippedDamper(), 0), testing::IsEmpty()); }
+
+TEST(BenchVehicle, IsNoCarWithoutSensors) {
+  Vehicle car = ShippedQuarterCar();
+  car.sensors.clear();
+  EXPECT_THAT(Findings(car, 0), testing::Contains(IsFinding(kSensorsNone)));
+  EXPECT_FALSE(IsBenchVehicle(car));
+}
+
+TEST(BenchVehicle, IsNoLinkWithoutDamper) {
+  Vehicle vehicle = ShippedDamper();
+  vehicle.dampers.clear();
+  EXPECT_FALSE(IsBenchVehicle(vehicle));
 }
 
 }  // namespace

@@ -286,6 +286,15 @@ TEST_F(BenchDataTest, TellsFilesThatAreMissing) {
   EXPECT_THAT(Faults(Replace(kBothFitted, "fast.csv", "slow.csv")), Reports(kFileNotThere, 4, {"slow.csv"}));
 }
 
+// What prepares a recording does not hide that it is clipped.
+TEST_F(BenchDataTest, TellsOfClippingInPreparedRecordings) {
+  folder_.Write("sine.csv", Clipped(Recording(2, 0.01)));
+  for (const char* prepared : {"bridge: 20 ms", "resample: 700 Hz"})
+    EXPECT_THAT(Faults(Replace(kStudy, "[sine.csv]", std::string("[{file: sine.csv, ") + prepared + "}]")),
+                Reports(kClipped, 0, {"force"}))
+        << prepared;
+}
+
 TEST_F(BenchDataTest, ALeftOutValidationRecordingEndsNoFit) {
   const auto left_out = [&] {
     diagnostics_ = {};

@@ -226,6 +226,22 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
   EXPECT_THAT(diagnostics_, Reports(kSamplesSaturated, 5, {"'F_tyre' is clipped"}));
 }
 
+// A post may be told to stand, but with noise of its transducer no sample repeats.
+TEST_F(HistoryDataTest, WarnsOfAClippedPost) {
+  auto post = recorded_.posts.col(0);
+  const Eigen::VectorXd moved = post;
+  for (Eigen::Index k = 0; k < post.size(); ++k)
+    post[k] = std::clamp(0.0001 * static_cast<double>(std::abs(k % 800 - 400) - 200), -0.01, 0.01);
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(), testing::Not(testing::HasSubstr("post-saturated")));
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> noise(0, 1e-5);
+  const double limit = 0.7 * moved.maxCoeff();
+  for (Eigen::Index k = 0; k < post.size(); ++k) post[k] = std::min(limit, moved[k] + noise(engine));
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_, Reports(kPostSaturated, 3, {"'ground'", "is clipped"}));
+}
+
 // Noise that came in behind the sensor; what is told to be done helps.
 TEST_F(HistoryDataTest, WarnsOfASaturatedSensorUnderNoise) {
   auto force = recorded_.readings.col(4);
