@@ -16,10 +16,12 @@ namespace {
 
 using Eigen::Index;
 
+/// Without a slash at the end.
 std::filesystem::path Canonical(const std::filesystem::path& path) {
   std::error_code failure;
   std::filesystem::path canonical = std::filesystem::weakly_canonical(path, failure);
-  return failure ? path : canonical;
+  if (failure) canonical = path;
+  return canonical.has_filename() ? canonical : canonical.parent_path();
 }
 
 /// The fit of a bench, and the knobs that follow it.
@@ -28,7 +30,7 @@ class FollowedBench {
   FollowedBench(BenchRun run, std::vector<Knob*> knobs) : run_(std::move(run)), knobs_(std::move(knobs)) {}
 
   BenchDoubt Follow(const RunDraws& draws) {
-    BenchDoubt doubt{.run = run_.folder, .confidence = draws.confidence, .knobs = {}, .parameters = {}, .draws = {}};
+    BenchDoubt doubt{.confidence = draws.confidence};
     for (const Knob* knob : knobs_) doubt.knobs.push_back(knob->name);
     SetDrawn(draws);
     std::vector<Index> followed;
@@ -68,7 +70,7 @@ class FollowedBench {
     }
   }
 
-  /// Whether a column that a knob takes changes with this parameter.
+  /// Whether a number that a position takes changes with this parameter.
   bool IsFollowed(const std::string& name) const {
     const std::optional<std::size_t> place = PlaceOf(name);
     if (!place) return false;
@@ -78,7 +80,8 @@ class FollowedBench {
     const PositionTable after = run_.TableAt(values);
     for (const Knob* knob : knobs_)
       for (const std::size_t column : knob->bench->columns)
-        if (before.columns[column].values != after.columns[column].values) return true;
+        for (const double row : knob->bench->rows)
+          if (before.At(column, row) != after.At(column, row)) return true;
     return false;
   }
 
@@ -111,13 +114,18 @@ BenchDraws DrawBenches(std::vector<Knob>& knobs, const std::filesystem::path& fi
     }
     const bool is_car = !request.car.empty() && followers[k].first == Canonical(request.car);
     // Other streams than the car's: equal seeds would make equal normal numbers.
-    const std::uint64_t seed = is_car ? request.seed : MixBits(request.seed + k);
+    const std::uint64_t seed = is_car ? request.seed : MixBits(MixBits(request.seed) + k);
     const std::optional<RunDraws> draws =
         DrawFromRun({.run = run, .count = request.count, .seed = seed, .threads = request.threads}, hooks);
     drawn.is_interrupted = drawn.is_interrupted || !draws;
     if (!draws) return drawn;
-    if (!is_car) drawn.findings.Add(draws->findings);
-    drawn.benches.push_back(FollowedBench(*std::move(bench), followers[k].second).Follow(*draws));
+    BenchDoubt doubt = FollowedBench(*std::move(bench), followers[k].second).Follow(*draws);
+    if (is_car) continue;
+    doubt.name = followers[k].first.filename().string();
+    const auto is_named_so = [&](const auto& other) { return other.first.filename() == doubt.name; };
+    if (std::count_if(followers.begin(), followers.end(), is_named_so) > 1) doubt.name = run.string();
+    drawn.findings.Add(draws->findings);
+    drawn.benches.push_back(std::move(doubt));
   }
   return drawn;
 }

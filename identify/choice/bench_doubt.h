@@ -15,7 +15,8 @@ namespace fourpost {
 
 /// What the fit of a bench leaves open of the laws that knobs take from it.
 struct BenchDoubt {
-  std::filesystem::path run;
+  /// Of the folder; as the file states it where another bench has the same.
+  std::string name;
   /// "80 to 90 %", of the intervals of that fit.
   std::string confidence;
   std::vector<std::string> knobs;
@@ -40,7 +41,8 @@ struct BenchDrawRequest {
 
 /// Draws the laws of knobs with `bench` from the intervals of their fits (noise, held parameters and model error), and
 /// writes them into Knob::Position::drawn. Knobs of one fit share its draws; fits are independent of each other and of
-/// the car. Laws of a fit without a covariance stay as they are, which is a finding at `file`.
+/// the car. Knobs of the car's own fit follow the car's draws and add no doubt to those. Laws of a fit without a
+/// covariance stay as they are, which is a finding at `file`.
 BenchDraws DrawBenches(std::vector<Knob>& knobs, const std::filesystem::path& file, const BenchDrawRequest& request,
                        const WorkHooks& hooks);
 

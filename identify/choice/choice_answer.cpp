@@ -1,6 +1,7 @@
 #include "identify/choice/choice_answer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fourpost {
 
@@ -9,6 +10,13 @@ std::vector<std::string> ChoiceAnswer::ExactKnobs() const {
   for (const Knob& knob : knobs())
     if (knob.positions.front().drawn.size() == 0) names.push_back(knob.name);
   return names;
+}
+
+bool ChoiceAnswer::HasStraightLines() const {
+  const auto is_between = [](double row) { return row != std::floor(row); };
+  return std::any_of(knobs().begin(), knobs().end(), [&](const Knob& knob) {
+    return knob.bench && std::any_of(knob.bench->rows.begin(), knob.bench->rows.end(), is_between);
+  });
 }
 
 std::string ChoiceAnswer::NameOf(std::size_t row) const { return SettingText(knobs(), choice.rows[row].setting); }

@@ -37,6 +37,8 @@ struct ChoiceAnswer {
   const Metric& MetricOf(const Objective& objective) const { return request.metrics[objective.metric]; }
   /// Knobs whose positions are not in doubt: those of tables and numbers, and of a bench fit without a covariance.
   std::vector<std::string> ExactKnobs() const;
+  /// Whether positions lie between two settings of a bench.
+  bool HasStraightLines() const;
   /// "front 12, rear 9"
   std::string NameOf(std::size_t row) const;
   /// The best setting, the present one, then those that cannot be distinguished from the best, the likeliest first; at

@@ -92,8 +92,7 @@ Json ClicksJson(const ChoiceAnswer& answer) {
 Json DoubtJson(const ChoiceAnswer& answer) {
   Json benches = Json::array();
   for (const BenchDoubt& bench : answer.benches)
-    benches.push_back(
-        {{"run", bench.run.filename().string()}, {"confidence", bench.confidence}, {"knobs", bench.knobs}});
+    benches.push_back({{"run", bench.name}, {"confidence", bench.confidence}, {"knobs", bench.knobs}});
   return {{"car", answer.confidence.empty() ? Json(nullptr) : Json(answer.confidence)},
           {"benches", benches},
           {"exact_knobs", answer.ExactKnobs()},

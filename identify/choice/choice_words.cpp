@@ -49,19 +49,20 @@ std::string ScopeWords(const ChoiceAnswer& answer) {
 }
 
 std::string DoubtWords(const ChoiceAnswer& answer) {
-  if (!answer.has_doubt()) return "";
+  if (!answer.choice.best || !answer.has_doubt()) return "";
   std::vector<std::string> held;
-  if (!answer.confidence.empty()) held.emplace_back("parameters of the car");
+  if (!answer.confidence.empty()) held.emplace_back("the car's parameters");
   for (const BenchDoubt& bench : answer.benches)
-    held.push_back("the laws of " + Enumeration(bench.knobs) + " from the bench fit '" + bench.run.filename().string() +
-                   "' (" + bench.confidence + ")");
-  std::vector<std::string> not_held = {"what the model lacks on these roads"};
+    held.push_back("the laws of " + Enumeration(bench.knobs) + " from the bench fit '" + bench.name + "' (" +
+                   bench.confidence + ")");
+  std::vector<std::string> not_held = {"what the model lacks on these roads",
+                                       "the difference between spectra and time histories"};
   const std::vector<std::string> exact = answer.ExactKnobs();
   if (!exact.empty()) not_held.push_back("the numbers of " + Enumeration(exact));
-  if (!answer.benches.empty()) not_held.emplace_back("straight lines between benched positions");
-  return "P(best) and regret contain the doubt of " + Enumeration(held) +
-         ", each of noise, held parameters and model error in its recordings. They do not contain that of " +
-         Enumeration(not_held) + ", so they are too sure.";
+  if (answer.HasStraightLines()) not_held.emplace_back("straight lines between benched positions");
+  return "P(best) and regret include the uncertainty of " + Enumeration(held) +
+         " (noise, held parameters and model error in their recordings). They exclude " + Enumeration(not_held) +
+         ", so they are too sure.";
 }
 
 std::string VerdictWords(const ChoiceAnswer& answer) {

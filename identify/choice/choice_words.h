@@ -17,9 +17,9 @@ std::string IntervalPercent(const DrawSummary& summary);
 
 /// What was compared: settings, roads, possible cars.
 std::string ScopeWords(const ChoiceAnswer& answer);
-/// What is chosen, and what it brings; or that nothing is.
-/// What P(best) and regret contain, and what not.
+/// What P(best) and regret contain, and what not; empty without a best one.
 std::string DoubtWords(const ChoiceAnswer& answer);
+/// What is chosen, and what it brings; or that nothing is.
 std::string VerdictWords(const ChoiceAnswer& answer);
 /// How many settings cannot be distinguished from the best; empty without a best one.
 std::string IndistinctWords(const ChoiceAnswer& answer);

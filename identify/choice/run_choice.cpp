@@ -100,8 +100,7 @@ void AddBenches(const std::vector<BenchDoubt>& benches, ChoiceRequest& request) 
     const Index before = request.bench_draws.cols();
     request.bench_draws.conservativeResize(bench.draws.rows(), before + bench.draws.cols());
     request.bench_draws.rightCols(bench.draws.cols()) = bench.draws;
-    for (const std::string& name : bench.parameters)
-      request.parameters.push_back(name + " of " + bench.run.filename().string());
+    for (const std::string& name : bench.parameters) request.parameters.push_back(name + " of " + bench.name);
   }
 }
 

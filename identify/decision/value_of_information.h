@@ -18,8 +18,8 @@ struct DecidingParameter {
 };
 
 /// Each parameter by linear regression over the draws, the largest gain first, then by `explained`. `cost`: settings x
-/// draws, of the settings that are to be distinguished; `best`, `rival`: rows of it; `parameters`: draws x parameters. A
-/// squared correlation r^2 of n draws is corrected for chance as r^2 - (1 - r^2) / (n - 2), and a slope is shrunk
+/// draws, of the settings that are to be distinguished; `best`, `rival`: rows of it; `parameters`: draws x parameters.
+/// A squared correlation r^2 of n draws is corrected for chance as r^2 - (1 - r^2) / (n - 2), and a slope is shrunk
 /// accordingly. The gain is the expected value of partial perfect information by regression (Strong, Oakley and
 /// Brennan, Med. Decis. Making 34, 2014). Empty for fewer than 10 draws.
 std::vector<DecidingParameter> DecidingParameters(const Eigen::MatrixXd& cost, std::size_t best, std::size_t rival,
@@ -41,9 +41,9 @@ struct InformativeRun {
 };
 
 /// The most informative runs, each of another setting and given those before it, at most `count`, until none gains
-/// anything: knowledge gradient with
-/// correlated beliefs (Frazier, Powell and Dayanik 2009). Beliefs are normal, mean and covariance those of the draws;
-/// `noise`: standard deviation of one run's cost. A run changes the belief in all settings that are correlated with it.
+/// anything: knowledge gradient with correlated beliefs (Frazier, Powell and Dayanik 2009). Beliefs are normal, mean
+/// and covariance those of the draws; `noise`: standard deviation of one run's cost. A run changes the belief in all
+/// settings that are correlated with it.
 std::vector<InformativeRun> InformativeRuns(const Eigen::MatrixXd& cost, double noise, std::size_t count);
 
 }  // namespace fourpost

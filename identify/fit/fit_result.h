@@ -88,9 +88,10 @@ struct RefinedStart {
 struct FitResult {
   FitEnd end = FitEnd::kNotRun;
   std::string message;
-  /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many of them were measured; priors included.
+  /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many of them were measured; priors
+  /// included.
   double cost = 0;
-  /// With which it was run; the step of differences is the one that was used.
+  /// With which it was run; the step of central differences is the one that was used.
   FitOptions options;
   /// Sum of squares of the data's residuals, whatever the loss; with the covariance.
   double data_squares = 0;

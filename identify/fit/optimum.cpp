@@ -28,7 +28,7 @@ Optimum::Optimum(const VehicleObjective& objective, const Lattice& lattice, cons
       unmeasured_(objective.unmeasured_count()),
       // With a loss the cost is that of squares that would leave the same variance, but never less than the squares
       // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
-      cost_(std::max(residuals_.squaredNorm(), loss.OfData().EquivalentCost(residuals_))),
+      cost_(std::max(residuals_.squaredNorm(), loss.OfData().EquivalentCost(residuals_, unmeasured_))),
       input_noise_(input_noise),
       noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_) {
   const FitVariables variables(lattice);

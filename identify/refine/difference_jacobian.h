@@ -10,8 +10,7 @@
 namespace fourpost {
 
 /// How many evaluations a column of a Jacobian takes: two, with an error of second order in the step, or one.
-/// Automatic: the model supplies its derivatives itself, which counts as one; where it has none they are central ones,
-/// of a refinement far from its optimum forward ones.
+/// Automatic: the model supplies its derivatives itself, which counts as one; where it has none they are central ones.
 enum class Differences { kCentral, kForward, kAutomatic };
 
 /// The step at which an error of the residuals, `accuracy` of them, and the curvature that differences leave out weigh

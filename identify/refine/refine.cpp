@@ -98,6 +98,10 @@ class ResidualFunction : public ceres::CostFunction {
   const Eigen::VectorXd& x() const { return here_.x; }
   // Where the latest Jacobian holds.
   const Eigen::VectorXd& linearised_x() const { return linearised_->x; }
+  /// Whether the latest Jacobian is good for the way only, not for an end.
+  bool is_far() const { return MayBeFar() && linearised_by_ == Differences::kForward; }
+  /// From here on with the differences of an end.
+  void BeNear() { is_near_ = true; }
   // Why a step from the point of the Jacobian was refused; empty when none was.
   const std::string& failure() const { return failure_; }
 
@@ -304,12 +308,10 @@ std::string_view RefineEndName(RefineEnd end) {
 
 namespace {
 
-// From `here`, which it moves to the optimum.
-RefineResult Descend(Archive& archive, const FitVariables& variables, const RefineOptions& options,
-                     const std::function<bool()>& stop, const KnownOptima& known, Residuals& here) {
-  RefineResult result;
-  ResidualFunction function(archive, variables, options, here.x, here.residuals);
-  Eigen::VectorXd x = here.x;
+// From where the function is, which it moves to the optimum, or as far as it comes.
+void Go(ResidualFunction& function, const FitVariables& variables, const RefineOptions& options,
+        const std::function<bool()>& stop, const KnownOptima& known, RefineResult& result) {
+  Eigen::VectorXd x = function.x();
   EndOfRun end(stop, options, known, function);
   const ceres::Solver::Summary summary = Solve(function, variables, options, end, x);
   result.end = EndOf(summary.termination_type, !function.failure().empty(), end);
@@ -319,14 +321,35 @@ RefineResult Descend(Archive& archive, const FitVariables& variables, const Refi
   if (end.end() == RefineEnd::kConverged)
     result.message =
         "No parameter is further than " + FormatNumber(options.nearness) + " standard deviations from its optimum.";
-  result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+  result.iterations += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
   // Ceres takes a failure back to the start.
   if (summary.IsSolutionUsable()) {
     function.MoveTo(x);
   } else {
     function.MoveToBest();
   }
-  if (function.Linearise(options.differences)) result.jacobian = function.jacobian();
+}
+
+// From `here`, which it moves to the optimum.
+RefineResult Descend(Archive& archive, const FitVariables& variables, const RefineOptions& options,
+                     const std::function<bool()>& stop, const KnownOptima& known, Residuals& here) {
+  RefineResult result;
+  ResidualFunction function(archive, variables, options, here.x, here.residuals);
+  Go(function, variables, options, stop, known, result);
+  const auto has_ended_itself = [&] { return result.end == RefineEnd::kConverged || result.end == RefineEnd::kFailed; };
+  // Where forward differences see no way down there may be one.
+  if (has_ended_itself() && function.is_far()) {
+    function.BeNear();
+    RefineOptions rest = options;
+    rest.max_iterations -= result.iterations;
+    Go(function, variables, rest, stop, known, result);
+  }
+  // A run that was ended on its way is no optimum, whose derivatives would count.
+  const bool is_on_its_way =
+      result.end == RefineEnd::kStopped || result.end == RefineEnd::kGivenUp || result.end == RefineEnd::kKnown;
+  const bool may_be_blunt = function.is_far() && is_on_its_way;
+  if (function.Linearise(may_be_blunt ? Differences::kForward : options.differences))
+    result.jacobian = function.jacobian();
   here = {function.x(), function.residuals()};
   result.values = variables.ToValues(here.x);
   result.residuals = here.residuals;

@@ -23,6 +23,8 @@ struct RefineOptions {
   /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in [0,
   /// 0.1]. 0: what the problem's accuracy asks for, see DifferenceStep().
   double step = 0;
+  /// Automatic: the model's own derivatives; without them forward differences where more than ten standard deviations
+  /// or a tenth of the cost may still be gained, central ones nearer to the optimum.
   Differences differences = Differences::kCentral;
   /// Converged when the cost falls by less than this share in an iteration; in (0, 1).
   double cost_tolerance = 1e-8;

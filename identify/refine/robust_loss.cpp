@@ -61,7 +61,7 @@ Eigen::VectorXd RobustLoss::Curvatures(const Eigen::VectorXd& residuals) const {
   return curvatures;
 }
 
-double RobustLoss::EquivalentCost(const Eigen::VectorXd& residuals) const {
+double RobustLoss::EquivalentCost(const Eigen::VectorXd& residuals, Eigen::Index unmeasured) const {
   if (kind_ == LossKind::kNone) return residuals.squaredNorm();
   double squares = 0;
   double slope = 0;
@@ -70,7 +70,8 @@ double RobustLoss::EquivalentCost(const Eigen::VectorXd& residuals) const {
     squares += r * r * first * first;
     slope += first + 2 * r * r * second;
   }
-  slope /= static_cast<double>(residuals.size());
+  // Those that are 0 have a slope of 1 and no squares.
+  slope = (slope - static_cast<double>(unmeasured)) / static_cast<double>(residuals.size() - unmeasured);
   if (!(slope > 0)) return std::numeric_limits<double>::infinity();
   return squares / (slope * slope);
 }

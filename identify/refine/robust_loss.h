@@ -56,7 +56,8 @@ class RobustLoss {
   /// The sum of squares that would leave estimates the variance that they have with this loss: of N residuals about an
   /// optimum over n parameters sum psi^2 / (mean psi')^2, psi = r rho'(r^2) (Huber 1981, section 7.6).
   /// Infinite where mean psi' is not above 0, as where Tukey's rejects all: such residuals determine nothing.
-  double EquivalentCost(const Eigen::VectorXd& residuals) const;
+  /// `unmeasured`: of the residuals, those that are 0 and no data, which the mean leaves out.
+  double EquivalentCost(const Eigen::VectorXd& residuals, Eigen::Index unmeasured = 0) const;
 
  private:
   /// At s = r^2: value and first two derivatives.

@@ -29,8 +29,6 @@ struct ResidualBlock {
   std::string name;
   /// Residuals it gives.
   Eigen::Index count = 0;
-  /// Of these, those that are 0 whatever the vehicle: samples that were not measured. They say nothing.
-  Eigen::Index unmeasured = 0;
   /// Of the solver behind it, relative; see Problem.
   double accuracy = 1e-15;
   /// `values`: all parameters of the vehicle, SI. Called from several threads at once. Throws TimedOut.

@@ -31,6 +31,10 @@ struct ResidualSeries {
   /// Time of the first, and from one to the next; where is_over_time.
   double start_s = 0;
   double interval_s = 0;
+  /// Of `count`, those that are 0 whatever the vehicle: samples that were not measured. They say nothing.
+  Eigen::Index unmeasured = 0;
+
+  Eigen::Index measured() const { return count - unmeasured; }
 };
 
 /// How the residuals of a block, or of several, belong together. Residuals outside all series are independent.

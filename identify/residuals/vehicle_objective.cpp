@@ -19,7 +19,7 @@ VehicleObjective::VehicleObjective(Vehicle vehicle, std::vector<std::size_t> fre
   residual_count_ = prior_count();
   for (const ResidualBlock& block : blocks_) {
     residual_count_ += block.count;
-    unmeasured_count_ += block.unmeasured;
+    for (const ResidualSeries& series : block.structure.series) unmeasured_count_ += series.unmeasured;
   }
 }
 

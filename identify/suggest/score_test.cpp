@@ -238,23 +238,25 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
 double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStructure& structure) {
   double effective = static_cast<double>(residuals.size());
   for (const ResidualSeries& series : structure.series) {
-    if (series.count < 4) continue;
+    effective -= static_cast<double>(series.unmeasured);
     double squares = 0;
     double products = 0;
-    Index measured = 0;
+    // Of neighbours that were both measured; the others are 0.
+    Index pairs = 0;
     for (Index i = 0; i < series.count; ++i) {
       const double here = residuals[series.first + i * series.step];
       squares += here * here;
-      // Those of samples that were not measured are 0 and say nothing.
-      measured += here != 0 ? 1 : 0;
-      if (i + 1 < series.count) products += here * residuals[series.first + (i + 1) * series.step];
+      if (i + 1 == series.count) break;
+      const double next = residuals[series.first + (i + 1) * series.step];
+      products += here * next;
+      pairs += here != 0 && next != 0 ? 1 : 0;
     }
-    if (measured < 4) continue;
-    const auto n = static_cast<double>(measured);
-    const double correlation = std::clamp(products / squares * n / (n - 1), 0.0, 0.999);
+    const auto n = static_cast<double>(series.measured());
+    if (n < 4 || pairs == 0) continue;
+    const double correlation = std::clamp(products / squares * n / static_cast<double>(pairs), 0.0, 0.999);
     // Of white noise it is 1/sqrt(n) by chance.
     const double beyond = correlation > 2 / std::sqrt(n) ? correlation : 0;
-    effective -= static_cast<double>(series.count) - std::max(2.0, n * (1 - beyond) / (1 + beyond));
+    effective -= n - std::max(2.0, n * (1 - beyond) / (1 + beyond));
   }
   return std::max(effective, 4.0);
 }

@@ -143,7 +143,7 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStr
   for (auto& [number, channels] : records) records_.push_back(Measured(std::move(channels), residuals, fitted));
 }
 
-// Of N / T of the samples' power per point of the transform, `fitted` takes the sum of |F|^2 over its columns.
+// Of N / T of the measured samples' power per point of the transform, `fitted` takes the sum of |F|^2 over its columns.
 Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const FittedColumns& fitted) {
   // A channel that a fit follows everywhere says nothing of its noise.
   constexpr double kLeast = 0.2;
@@ -155,7 +155,7 @@ Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const FittedColumns& f
     const Eigen::MatrixXd columns = rows * fitted.orthonormalising;
     Eigen::VectorXd taken = Eigen::VectorXd::Zero(kept.rows());
     for (Index p = 0; p < columns.cols(); ++p) taken += Transformed(columns.col(p), record.points).cwiseAbs2();
-    taken /= static_cast<double>(record.samples);
+    taken /= static_cast<double>(std::max<Index>(1, series.measured()));
     kept.col(static_cast<Index>(c)) = (1 - SmoothedPower(taken, reach).array()).max(kLeast);
   }
   return kept;
@@ -172,12 +172,15 @@ ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channe
   Eigen::MatrixXcd transforms(record.points / 2 + 1, count);
   Eigen::MatrixXcd colour(record.points / 2 + 1, count);
   for (Index c = 0; c < count; ++c) {
-    const Eigen::VectorXd signal = ValuesOf(record.channels[static_cast<std::size_t>(c)], residuals);
+    const ResidualSeries& series = record.channels[static_cast<std::size_t>(c)];
+    const Eigen::VectorXd signal = ValuesOf(series, residuals);
     const std::vector<double> coefficients = Autoregression(signal);
-    transforms.col(c) = Transformed(Whitened(signal, coefficients), record.points);
+    // Power per sample that was measured: the others have none.
+    const double scale = 1 / std::sqrt(static_cast<double>(std::max<Index>(1, series.measured())));
+    transforms.col(c) = scale * Transformed(Whitened(signal, coefficients), record.points);
     colour.col(c) = FilterAt(coefficients, record.points).cwiseInverse();
   }
-  record.spectrum = Smoothed(transforms, Reach(record.samples, record.points), 1 / static_cast<double>(record.samples));
+  record.spectrum = Smoothed(transforms, Reach(record.samples, record.points), 1);
   const Eigen::MatrixXd kept = Kept(record, fitted);
   for (Index k = 0; k < colour.rows(); ++k) {
     const Eigen::VectorXcd by = colour.row(k).cwiseQuotient(kept.row(k).cwiseSqrt()).transpose();

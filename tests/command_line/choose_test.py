@@ -121,8 +121,8 @@ class Choose(ProgramTest):
             self.assertEqual((self.folder / "one" / name).read_text(), (self.folder / "two" / name).read_text())
         tested = [(row["spring"], row["damper"]) for row in self.rows("one/test_next.csv")]
         self.assertEqual(len(set(tested)), len(tested))
-        words = ("P(best) and regret contain the doubt of parameters of the car and the laws of damper from the bench fit "
-                 "'bench' (80 to 90 %)", "the numbers of spring")
+        words = ("P(best) and regret include the uncertainty of the car's parameters and the laws of damper from the "
+                 "bench fit 'bench' (80 to 90 %)", "the numbers of spring")
         text = self.run_program("choose", "run", "--settings", "settings.yaml", "--no-checks").stdout
         page = (self.folder / "one/choose.html").read_text().replace("&#39;", "'")
         for word in words:

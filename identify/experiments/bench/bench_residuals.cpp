@@ -54,11 +54,10 @@ Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& target
   return evaluation;
 }
 
-Eigen::Index UnmeasuredOf(const std::vector<Target>& targets) {
+Eigen::Index UnmeasuredOf(const Target& target) {
   Eigen::Index count = 0;
-  for (const Target& target : targets)
-    for (std::size_t k = target.recording.first; k < target.recording.end; k += target.stride)
-      count += target.recording.IsUnknown(k) ? 1 : 0;
+  for (std::size_t k = target.recording.first; k < target.recording.end; k += target.stride)
+    count += target.recording.IsUnknown(k) ? 1 : 0;
   return count;
 }
 
@@ -105,7 +104,8 @@ ResidualStructure StructureOf(const std::vector<Target>& targets) {
                                 .is_over_time = true,
                                 .record = static_cast<int>(t),
                                 .start_s = target.recording.time_s(target.recording.first),
-                                .interval_s = target.recording.sample_s * static_cast<double>(target.stride)});
+                                .interval_s = target.recording.sample_s * static_cast<double>(target.stride),
+                                .unmeasured = UnmeasuredOf(target)});
     next += count;
   }
   structure.partitions = {std::move(classes)};
@@ -127,11 +127,9 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
     count += targets.back().count;
   }
   const auto residuals = static_cast<Eigen::Index>(count);
-  const Eigen::Index unmeasured = UnmeasuredOf(targets);
   ResidualStructure structure = StructureOf(targets);
   return {.name = "bench recordings",
           .count = residuals,
-          .unmeasured = unmeasured,
           // Neighbouring values take nearly the same steps: forces change by a hundredth of what they err, see
           // kSeriesTolerance.
           .accuracy = 1e-7,

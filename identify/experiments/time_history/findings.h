@@ -97,9 +97,7 @@ inline const Finding kSamplesSaturated{"samples-saturated", Severity::kWarning,
                                        "record it with a larger range"};
 inline const Finding kPostSaturated{
     "post-saturated", Severity::kWarning,
-    "the height of post '{}' {} of {}, though it has noise: how the post moved there is not known, and parameters "
-    "follow "
-    "what is wrong",
+    "the height of post '{}' {} of {}: how the post really moved there is unknown, which biases the parameters",
     "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
 inline const Finding kPostsUnitMistaken{
     "posts-unit-mistaken", Severity::kError,

@@ -65,7 +65,6 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
   }
   return {.name = "time histories",
           .count = residuals->count(),
-          .unmeasured = residuals->unmeasured(),
           // What the elements' forces are solved to, times what a step's error may grow to.
           .accuracy = 1e-9,
           .evaluate =

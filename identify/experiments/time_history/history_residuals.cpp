@@ -70,14 +70,6 @@ Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
   return options_.cost == HistoryCost::kWhitened ? Strided(history.count, history.Stride()) : history.count;
 }
 
-Index HistoryResiduals::unmeasured() const {
-  Index count = 0;
-  for (const MeasuredHistory& history : histories_)
-    for (const MeasuredSignal& signal : history.signals)
-      count += signal.UnknownCount(options_.cost == HistoryCost::kWhitened ? history.Stride() : 1);
-  return count;
-}
-
 Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const Deadline& deadline) const {
   if (options_.cost == HistoryCost::kPrediction) return OfPrediction(Predicted(values, deadline));
   Eigen::VectorXd residuals(count_);
@@ -374,7 +366,8 @@ ResidualStructure HistoryResiduals::Structure() const {
                                   .is_over_time = true,
                                   .record = static_cast<int>(h),
                                   .start_s = history.TimeAt(0),
-                                  .interval_s = static_cast<double>(stride) / history.rate_Hz});
+                                  .interval_s = static_cast<double>(stride) / history.rate_Hz,
+                                  .unmeasured = signal.UnknownCount(stride)});
       at += each;
     }
   }

@@ -58,8 +58,6 @@ class HistoryResiduals {
   HistoryResiduals(HistoryResiduals&&) = default;
 
   Eigen::Index count() const { return count_; }
-  /// Of these, those of samples that were not measured, which are 0.
-  Eigen::Index unmeasured() const;
 
   /// `values`: all parameters of the vehicle, SI. Throws TimedOut, and std::runtime_error where the motion cannot be
   /// computed.

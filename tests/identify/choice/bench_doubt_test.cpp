@@ -2,12 +2,14 @@
 #include "identify/choice/bench_doubt.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <gmock/gmock.h>
 
 #include "identify/choice/choice.h"
 #include "identify/choice/findings.h"
+#include "identify/run/run_draws.h"
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
@@ -111,6 +113,50 @@ TEST(BenchDoubt, IsSharedWithinAFitAndNotBetweenFits) {
   const double none = 4 / std::sqrt(1000);
   EXPECT_LT(std::abs(Correlation(knobs[0].positions[4].drawn, knobs[2].positions[4].drawn)), none);
   EXPECT_LT(std::abs(Correlation(knobs[0].positions[0].drawn, knobs[0].positions[4].drawn)), none);
+}
+
+// The car's own fit is drawn once: where it sets the knob, the knob follows.
+TEST(BenchDoubt, OfTheCarItselfIsThatOfItsDraws) {
+  const TemporaryFolder folder;
+  WriteBench(folder, "run", 0.08);
+  std::vector<Knob> knobs = {KnobOf("front", 0, folder.path() / "run/")};
+  const BenchDraws drawn =
+      DrawBenches(knobs, "settings.yaml", {.car = folder.path() / "run", .count = 50, .seed = 3, .threads = 1}, {});
+  EXPECT_TRUE(drawn.benches.empty());
+  const std::optional<RunDraws> car =
+      DrawFromRun({.run = folder.path() / "run", .count = 50, .seed = 3, .threads = 1}, {});
+  ASSERT_TRUE(car);
+  ASSERT_EQ(car->names[0], "c");
+  EXPECT_EQ(knobs[0].positions[0].drawn.col(0), 2 * car->values.col(0));
+}
+
+TEST(BenchDoubt, NamesItsBenchAndWhatKnobsFollowOfIt) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "rear");
+  WriteBench(folder, "bench", 0.08);
+  std::vector<Knob> knobs = {KnobOf("front", 0, folder.path() / "bench/")};
+  knobs[0].positions.resize(2);
+  knobs[0].bench->rows = {0, 1};
+  const BenchDraws one = DrawBenches(knobs, "settings.yaml", {.count = 5}, {});
+  EXPECT_EQ(one.benches.at(0).name, "bench");
+  EXPECT_THAT(one.benches[0].parameters, testing::ElementsAre("c", "c_at_1"));
+  WriteBench(folder, "rear/bench", 0.08);
+  knobs.push_back(KnobOf("rear", 1, folder.path() / "rear/bench"));
+  const BenchDraws two = DrawBenches(knobs, "settings.yaml", {.count = 5}, {});
+  EXPECT_EQ(two.benches.at(1).name, (folder.path() / "rear/bench").string());
+}
+
+// Repeats of a choice are independent.
+TEST(BenchDoubt, OfOneBenchIsNotThatOfAnotherWithAnotherSeed) {
+  const TemporaryFolder folder;
+  WriteBench(folder, "bench", 0.08);
+  WriteBench(folder, "other", 0.08);
+  const auto knobs_at = [&](std::uint64_t seed) {
+    std::vector<Knob> knobs = {KnobOf("front", 0, folder.path() / "bench"), KnobOf("rear", 1, folder.path() / "other")};
+    DrawBenches(knobs, "settings.yaml", {.count = 20, .seed = seed}, {});
+    return knobs;
+  };
+  EXPECT_NE(knobs_at(1)[1].positions[0].drawn, knobs_at(2)[0].positions[0].drawn);
 }
 
 TEST(BenchDoubt, OfAFitWithoutCovarianceIsAFinding) {

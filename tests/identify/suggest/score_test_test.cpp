@@ -219,10 +219,25 @@ TEST(EffectiveResiduals, AreThoseOfAnAutoregression) {
 TEST(EffectiveResiduals, LeaveOutSamplesThatWereNotMeasured) {
   constexpr Index kSamples = 20000;
   ResidualStructure structure;
-  structure.series.push_back({.first = 0, .count = kSamples, .step = 1});
+  structure.series.push_back({.first = 0, .count = kSamples, .step = 1, .unmeasured = 8000});
   VectorXd noise = White(kSamples, 3);
   noise.segment(5000, 8000).setZero();
   EXPECT_NEAR(EffectiveResiduals(noise, structure), 12000, 0.05 * 12000);
+  // A series of which nothing was measured.
+  structure.series[0].unmeasured = kSamples;
+  EXPECT_EQ(EffectiveResiduals(VectorXd::Zero(kSamples), structure), 4);
+}
+
+// As AreThoseOfAnAutoregression, of which every fifth sample was not measured.
+TEST(EffectiveResiduals, KnowTheCorrelationAcrossGaps) {
+  constexpr Index kSamples = 20000;
+  constexpr double kCorrelation = 0.8;
+  VectorXd noise = White(kSamples, 3);
+  for (Index i = 1; i < kSamples; ++i) noise[i] += kCorrelation * noise[i - 1];
+  for (Index i = 0; i < kSamples; i += 5) noise[i] = 0;
+  ResidualStructure structure;
+  structure.series.push_back({.first = 0, .count = kSamples, .step = 1, .unmeasured = kSamples / 5});
+  EXPECT_NEAR(EffectiveResiduals(noise, structure), 0.8 * kSamples / 9, 0.07 * 0.8 * kSamples / 9);
 }
 
 TEST(CriterionChange, IsThatOfChenAndChen) {

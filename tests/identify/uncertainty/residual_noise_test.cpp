@@ -52,6 +52,20 @@ TEST(ResidualNoise, KnowsHowFarCorrelatedNoiseMovesSums) {
   EXPECT_NEAR(covariance(1, 1) / (kSamples / std::pow(1 + kCorrelation, 2)), 1, 0.24);
 }
 
+// What was not measured has neither noise nor derivatives: the rest is worth what it is alone.
+TEST(ResidualNoise, IsThatOfTheSamplesThatWereMeasured) {
+  Eigen::VectorXd noise = White(5);
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Ones(kSamples, 1);
+  for (Eigen::Index k = 0; k < kSamples; k += 2) jacobian(k, 0) = -1;
+  ResidualStructure structure = OverTime(1);
+  structure.series[0].unmeasured = 8000;
+  noise.segment(3000, 8000).setZero();
+  jacobian.middleRows(3000, 8000).setZero();
+  const double covariance = ResidualNoise(noise, structure, NothingFitted(kSamples)).CovarianceOverTime(jacobian)(0, 0);
+  // The spectrum is a mean of some 40 independent points on each side: 11 %; three times that.
+  EXPECT_NEAR(covariance / 12000, 1, 0.33);
+}
+
 TEST(ResidualNoise, SeesNoiseThatChannelsHaveInCommon) {
   const Eigen::VectorXd common = White(2);
   Eigen::VectorXd residuals(2 * kSamples);

@@ -182,7 +182,7 @@ TEST_F(BenchDataTest, SamplesInAGapHaveNoWeight) {
   // Nor do they count as data: of every eighth sample, those from row 600 on.
   const auto zeros = (evaluation.residuals.array() == 0).count();
   EXPECT_GT(zeros, 0);
-  EXPECT_EQ(block.unmeasured, zeros);
+  EXPECT_EQ(block.structure.series.at(0).unmeasured, zeros);
   const VehicleObjective objective = study->MakeObjective();
   EXPECT_EQ(objective.unmeasured_count(), zeros);
   FitOptions options = FitOptionsOf(study->study, objective);

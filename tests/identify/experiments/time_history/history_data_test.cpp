@@ -226,7 +226,7 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
   EXPECT_THAT(diagnostics_, Reports(kSamplesSaturated, 5, {"'F_tyre' is clipped"}));
 }
 
-// A post may be told to stand, but with noise of its transducer no sample repeats.
+// A post may be commanded to stand, but with noise of its transducer no sample repeats.
 TEST_F(HistoryDataTest, WarnsOfAClippedPost) {
   auto post = recorded_.posts.col(0);
   const Eigen::VectorXd moved = post;
