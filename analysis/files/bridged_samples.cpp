@@ -1,8 +1,24 @@
 #include "analysis/files/bridged_samples.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "analysis/signals/uneven_samples.h"
 
 namespace fourpost {
+
+void BridgeMissing(std::span<const double> times, std::vector<double>& signal) {
+  std::vector<double> at;
+  std::vector<double> known;
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    if (std::isnan(signal[k])) continue;
+    at.push_back(times[k]);
+    known.push_back(signal[k]);
+  }
+  const std::vector<double> bridged = InterpolatedAt(at, known, times);
+  for (std::size_t k = 0; k < signal.size(); ++k)
+    if (std::isnan(signal[k])) signal[k] = bridged[k];
+}
 
 std::vector<char> BridgedSamples(const TimeRecording& recording, const std::vector<BridgedGap>& gaps) {
   const double rounding = 1e-6 * recording.step_s;

@@ -1,6 +1,7 @@
 #include "analysis/files/recorded_unit.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "analysis/text/number.h"
@@ -27,11 +28,7 @@ constexpr std::array<Spelling, 13> kSpellings = {{
     {"sec", "s"},
 }};
 
-// Exact by the international yard and pound of 1959 and the standard gravity.
 constexpr double kGravity = 9.80665;
-constexpr double kInch = 0.0254;
-constexpr double kPound = 0.45359237;
-constexpr double kPoundForce = kPound * kGravity;
 
 struct RecordedUnit {
   std::string_view name;
@@ -40,30 +37,12 @@ struct RecordedUnit {
 };
 
 /// Those that ParseUnit does not take, or takes as something else. "lb" may be a mass or a force, and is neither.
-constexpr std::array<RecordedUnit, 23> kRecordedUnits = {{
+constexpr std::array<RecordedUnit, 5> kRecordedUnits = {{
     {"g", kGravity, kAcceleration},
     {"gn", kGravity, kAcceleration},
-    {"um", 1e-6, kLength},
-    {"mil", 1e-3 * kInch, kLength},
-    {"in", kInch, kLength},
-    {"inch", kInch, kLength},
-    {"ft", 12 * kInch, kLength},
-    {"in/s", kInch, kVelocity},
-    {"ips", kInch, kVelocity},
-    {"ft/s", 12 * kInch, kVelocity},
-    {"in/s^2", kInch, kAcceleration},
-    {"ft/s^2", 12 * kInch, kAcceleration},
-    {"daN", 10, kForce},
-    {"kgf", kGravity, kForce},
-    {"lbf", kPoundForce, kForce},
-    {"kip", 1000 * kPoundForce, kForce},
-    {"klbf", 1000 * kPoundForce, kForce},
-    {"lbm", kPound, kMass},
-    {"slug", kPoundForce / (12 * kInch), kMass},
-    {"hPa", 100, kPressure},
-    {"mbar", 100, kPressure},
-    {"psi", kPoundForce / (kInch * kInch), kPressure},
-    {"ksi", 1000 * kPoundForce / (kInch * kInch), kPressure},
+    {"inch", 0.0254, kLength},
+    {"ips", 0.0254, kVelocity},
+    {"klbf", 4448.2216152605, kForce},
 }};
 
 std::string Normalised(std::string_view text) {
@@ -96,6 +75,15 @@ std::optional<Unit> ParseRecordedUnit(std::string_view text) {
   for (const RecordedUnit& known : kRecordedUnits)
     if (unit == known.name) return Unit{known.si, known.dimension};
   return ParseUnit(unit);
+}
+
+std::optional<Quantity> ParseRecordedQuantity(std::string_view text) {
+  const std::size_t end = text.find_first_not_of(" +-.0123456789eE");
+  const std::string_view unit_text = end == std::string_view::npos ? std::string_view() : Trimmed(text.substr(end));
+  const std::optional<Unit> unit = unit_text.empty() ? Unit{} : ParseRecordedUnit(unit_text);
+  const std::optional<double> number = ParseNumber(Trimmed(text.substr(0, end)));
+  if (!unit || !number || !std::isfinite(*number * unit->si)) return std::nullopt;
+  return Quantity{*number * unit->si, *unit, std::string(unit_text)};
 }
 
 std::string WithoutBrackets(std::string_view unit) {

@@ -9,9 +9,12 @@
 namespace fourpost {
 
 /// A unit as measurement systems write it: all that ParseUnit takes, and "m/s²", "m/s2", "mm/sec", "°/s", "µm", "-",
-/// "in", "ft", "mil", "lbf", "kip", "kgf", "psi", "ksi", "lbm", "slug", "mbar".
-/// In a recording "g" is the standard gravity; nobody records grams. Bytes of Latin-1 count as those of UTF-8.
+/// "inch", "ips", "klbf". In a recording "g" is the standard gravity; nobody records grams. Bytes of Latin-1 count as
+/// those of UTF-8.
 std::optional<Unit> ParseRecordedUnit(std::string_view text);
+
+/// "0.02 g": as ParseQuantity, with a unit of a recording.
+std::optional<Quantity> ParseRecordedQuantity(std::string_view text);
 
 /// "mm" of "[mm]" and "(mm)"; else the text as it is.
 std::string WithoutBrackets(std::string_view unit);

@@ -99,6 +99,10 @@ std::optional<Clipping> ClippingAtBottom(std::span<const double> signal) {
 
 bool ClippedEnds::is_exact() const { return (top && top->noise == 0) || (bottom && bottom->noise == 0); }
 
+bool ClippedEnds::IsExactAt(double value) const {
+  return (top && top->noise == 0 && value >= top->level) || (bottom && bottom->noise == 0 && value <= bottom->level);
+}
+
 std::size_t ClippedEnds::first() const {
   if (top && bottom) return std::min(top->first, bottom->first);
   return top ? top->first : bottom->first;

@@ -34,6 +34,8 @@ struct ClippedEnds {
 
   /// Whether one stands at one value exactly: noise may hide that a force of friction alone is flat by itself.
   bool is_exact() const;
+  /// Whether a sample stands at such a value.
+  bool IsExactAt(double value) const;
   /// The first sample of both.
   std::size_t first() const;
   /// "is clipped: 30 samples stand at 200 N exactly, the first at 1.5 s"; "looks clipped: ..." under noise. `first_s`:

@@ -26,19 +26,49 @@ struct NamedScale {
   Scale scale;
 };
 
-constexpr std::array<NamedScale, 23> kScales = {{
-    {"1", {kDimensionless}},   {"%", {kDimensionless, -2}},
-    {"rad", {kDimensionless}}, {"deg", {kDimensionless, 0, std::numbers::pi / 180}},
-    {"km", {kLength, 3}},      {"m", {kLength}},
-    {"cm", {kLength, -2}},     {"mm", {kLength, -3}},
-    {"kg", {kMass}},           {"g", {kMass, -3}},
-    {"t", {kMass, 3}},         {"s", {kTime}},
-    {"ms", {kTime, -3}},       {"min", {kTime, 0, 60}},
-    {"h", {kTime, 0, 3600}},   {"Hz", {kFrequency}},
-    {"N", {kForce}},           {"kN", {kForce, 3}},
-    {"MN", {kForce, 6}},       {"Pa", {kPressure}},
-    {"kPa", {kPressure, 3}},   {"MPa", {kPressure, 6}},
+// Exact by the international yard and pound of 1959 and the standard gravity.
+constexpr double kPound = 0.45359237;
+constexpr double kPoundForce = kPound * 9.80665;
+constexpr double kPsi = kPoundForce / (0.0254 * 0.0254);
+
+constexpr std::array<NamedScale, 37> kScales = {{
+    {"1", {kDimensionless}},
+    {"%", {kDimensionless, -2}},
+    {"rad", {kDimensionless}},
+    {"deg", {kDimensionless, 0, std::numbers::pi / 180}},
+    {"km", {kLength, 3}},
+    {"m", {kLength}},
+    {"cm", {kLength, -2}},
+    {"mm", {kLength, -3}},
+    {"kg", {kMass}},
+    {"g", {kMass, -3}},
+    {"t", {kMass, 3}},
+    {"s", {kTime}},
+    {"ms", {kTime, -3}},
+    {"min", {kTime, 0, 60}},
+    {"h", {kTime, 0, 3600}},
+    {"Hz", {kFrequency}},
+    {"N", {kForce}},
+    {"kN", {kForce, 3}},
+    {"MN", {kForce, 6}},
+    {"Pa", {kPressure}},
+    {"kPa", {kPressure, 3}},
+    {"MPa", {kPressure, 6}},
     {"bar", {kPressure, 5}},
+    {"mbar", {kPressure, 2}},
+    {"hPa", {kPressure, 2}},
+    {"um", {kLength, -6}},
+    {"daN", {kForce, 1}},
+    {"kgf", {kForce, 0, 9.80665}},
+    {"in", {kLength, -4, 254}},
+    {"ft", {kLength, -4, 3048}},
+    {"mil", {kLength, -7, 254}},
+    {"lbm", {kMass, 0, kPound}},
+    {"slug", {kMass, 0, kPoundForce / 0.3048}},
+    {"lbf", {kForce, 0, kPoundForce}},
+    {"kip", {kForce, 3, kPoundForce}},
+    {"psi", {kPressure, 0, kPsi}},
+    {"ksi", {kPressure, 3, kPsi}},
 }};
 
 struct NamedDimension {

@@ -41,7 +41,7 @@ struct Unit {
 };
 
 /// Reads a product of units with powers, from left to right: "N/mm", "kN*s/m", "kg*m^2", "1/s", "s^-2", "deg", "%".
-/// Names: m mm cm km kg g t s ms min h N kN MN Pa kPa MPa bar rad deg Hz %, and 1. Powers: -9..9 but not 0. No blanks.
+/// Names: those of kScales, g for grams, in and lbf too. Powers: -9..9 but not 0. No blanks.
 /// Nothing for an unknown name. Hz is 1/s as rad/s is: a frequency in rad/s is not converted to cycles.
 std::optional<Unit> ParseUnit(std::string_view text);
 

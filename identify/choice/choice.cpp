@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identify/choice/engine_comparison.h"
+#include "identify/choice/engine_error.h"
 #include "identify/choice/findings.h"
 #include "identify/choice/setting_rating.h"
 #include "identify/choice/setting_search.h"
@@ -47,11 +48,41 @@ void FindEnds(const ChoiceRequest& request, Choice& choice) {
   }
 }
 
+/// Rated by spectra, and again with what time histories say of the best ones until these are compared.
+Choice RateByEngines(const ChoiceRequest& request, const SettingTable& table, const Choice& unrated,
+                     const WorkHooks& hooks) {
+  constexpr int kMostRounds = 4;
+  Choice rated = unrated;
+  RateSettings(request, table, {}, rated);
+  Diagnostics compared;
+  for (int round = 0; round < kMostRounds && rated.best; ++round) {
+    rated.findings = {};
+    const bool is_new = CompareHistories(request, hooks, rated);
+    compared.Add(rated.findings);
+    Choice again = unrated;
+    again.checks = std::move(rated.checks);
+    again.is_interrupted = rated.is_interrupted;
+    RateSettings(request, table,
+                 EngineErrors(request.settings, table.settings, rated.present, again.checks, request.draws.rows()),
+                 again);
+    rated = std::move(again);
+    if (!is_new || rated.is_interrupted) break;
+  }
+  rated.findings.Add(compared);
+  return rated;
+}
+
 }  // namespace
 
 std::size_t Choice::IndistinctCount() const {
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const RatedSetting& row) { return row.is_indistinct; }));
+}
+
+std::size_t Choice::ComparedCount() const {
+  return static_cast<std::size_t>(std::count_if(checks.begin(), checks.end(), [](const EngineCheck& check) {
+    return check.engine == EngineCheck::Engine::kHistories && !check.objective;
+  }));
 }
 
 Choice Choose(const ChoiceRequest& request, const WorkHooks& hooks) {
@@ -73,10 +104,10 @@ Choice Choose(const ChoiceRequest& request, const WorkHooks& hooks) {
   if (choice.is_interrupted) return choice;
   ChoiceRequest with_draws = request;
   with_draws.draws = draws;
-  RateSettings(with_draws, table, choice);
+  choice = RateByEngines(with_draws, table, choice, hooks);
   if (!choice.best) return choice;
   FindEnds(request, choice);
-  CompareEngines(request, hooks, choice);
+  if (!choice.is_interrupted) CompareFull(request, hooks, choice);
   return choice;
 }
 

@@ -110,6 +110,8 @@ struct Choice {
   bool is_interrupted = false;
 
   std::size_t IndistinctCount() const;
+  /// Of settings that were compared by time histories.
+  std::size_t ComparedCount() const;
 };
 
 /// Rates the settings and chooses one. Findings name the file of settings. Throws FaultyInput where the present setting

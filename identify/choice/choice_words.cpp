@@ -55,14 +55,17 @@ std::string DoubtWords(const ChoiceAnswer& answer) {
   for (const BenchDoubt& bench : answer.benches)
     held.push_back("the laws of " + Enumeration(bench.knobs) + " from the bench fit '" + bench.name + "' (" +
                    bench.confidence + ")");
-  std::vector<std::string> not_held = {"what the model lacks on these roads",
-                                       "the difference between spectra and time histories"};
+  std::vector<std::string> not_held = {"what the model lacks on these roads"};
+  const std::size_t compared = answer.choice.ComparedCount();
+  const std::string by_engine = "the difference between spectra and time histories";
+  if (compared == 0) not_held.push_back(by_engine);
   const std::vector<std::string> exact = answer.ExactKnobs();
   if (!exact.empty()) not_held.push_back("the numbers of " + Enumeration(exact));
   if (answer.HasStraightLines()) not_held.emplace_back("straight lines between benched positions");
   return "P(best) and regret include the uncertainty of " + Enumeration(held) +
-         " (noise, held parameters and model error in their recordings). They exclude " + Enumeration(not_held) +
-         ", so they are too sure.";
+         " (noise, held parameters and model error in their recordings)" +
+         (compared > 0 ? ", and " + by_engine + " as of " + Counted(compared, "setting") : "") + ". They exclude " +
+         Enumeration(not_held) + ", so they are too sure.";
 }
 
 std::string VerdictWords(const ChoiceAnswer& answer) {
@@ -123,7 +126,9 @@ std::string DecidingWords(const ChoiceAnswer& answer) {
 
 std::string RunWords(const ChoiceAnswer& answer) {
   const Choice& choice = answer.choice;
-  if (!choice.best || choice.runs.empty()) return "";
+  if (!choice.best || !answer.has_doubt()) return "";
+  if (choice.runs.empty())
+    return "No run on the rig would decide more: in no possible car is another setting the best.";
   // Of the expected regret, below which a run is not worth its time.
   constexpr double kWorth = 0.1;
   const InformativeRun& run = choice.runs.front();
@@ -139,14 +144,24 @@ std::string EngineWords(const ChoiceAnswer& answer) {
   const Choice& choice = answer.choice;
   if (!choice.best || choice.checks.empty()) return "";
   double most = 0;
-  for (const EngineCheck& check : choice.checks)
-    if (!check.objective) most = std::max(most, std::abs(check.Difference()));
+  bool has_full = false;
+  for (const EngineCheck& check : choice.checks) {
+    if (check.objective || check.engine != EngineCheck::Engine::kFull) continue;
+    has_full = true;
+    // What ranks the settings.
+    double ranked = check.by_spectra;
+    for (const EngineCheck& other : choice.checks)
+      if (!other.objective && other.engine == EngineCheck::Engine::kHistories && other.row == check.row)
+        ranked = other.by_engine;
+    most = std::max(most, std::abs(check.by_engine - ranked));
+  }
+  if (!has_full) return "";
   const auto within = std::count_if(choice.rows.begin(), choice.rows.end(), [&](const RatedSetting& row) {
     return row.is_admitted && row.beside_best.mean <= most;
   });
   const auto others = static_cast<std::size_t>(within - 1);
-  return "Engines over time change all objectives together by up to " + SharePercent(most) +
-         " otherwise than spectra; within that of the best " + (others == 1 ? "is " : "are ") +
+  return "The multibody system changes all objectives together by " + SharePercent(most) +
+         " otherwise than the reduced model; within that of the best " + (others == 1 ? "is " : "are ") +
          Counted(others, "other setting") + ".";
 }
 

@@ -16,9 +16,19 @@ class EngineComparison {
   EngineComparison(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice)
       : request_(request), hooks_(hooks), choice_(choice) {}
 
-  void Run() {
-    if (request_.histories) Compare(EngineCheck::Engine::kHistories, request_.histories, Shortlist());
-    if (request_.full && !choice_.is_interrupted) Compare(EngineCheck::Engine::kFull, request_.full, {*choice_.best});
+  bool Histories() {
+    std::vector<std::size_t> rows = Shortlist();
+    std::erase_if(rows, [&](std::size_t row) {
+      return row == choice_.present || std::any_of(choice_.checks.begin(), choice_.checks.end(),
+                                                   [&](const EngineCheck& check) { return check.row == row; });
+    });
+    const std::size_t before = choice_.checks.size();
+    if (!rows.empty()) Compare(EngineCheck::Engine::kHistories, request_.histories, rows);
+    return choice_.checks.size() > before;
+  }
+
+  void Full() {
+    if (request_.full) Compare(EngineCheck::Engine::kFull, request_.full, {*choice_.best});
     Report();
   }
 
@@ -135,8 +145,12 @@ class EngineComparison {
 
 }  // namespace
 
-void CompareEngines(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice) {
-  EngineComparison(request, hooks, choice).Run();
+bool CompareHistories(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice) {
+  return request.histories && EngineComparison(request, hooks, choice).Histories();
+}
+
+void CompareFull(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice) {
+  EngineComparison(request, hooks, choice).Full();
 }
 
 }  // namespace fourpost

@@ -146,7 +146,8 @@ inline const Finding kEnginesDisagree{"engines-disagree", Severity::kWarning,
                                       "for {} of {} settings '{}' changes otherwise by {} than by spectra, by more "
                                       "than {}; the worst is {}, {} by spectra and "
                                       "{} by them",
-                                      "trust the latter, and let them rank the nearest rivals by a larger 'shortlist'"};
+                                      "trust the latter: P(best) and regret do as far as these are time histories, and "
+                                      "know more by a larger 'shortlist'"};
 inline const Finding kObjectiveZero{"objective-zero", Severity::kError,
                                     "'{}' is zero at the present setting, so no change of it can be stated",
                                     "choose another objective, or rougher roads", Weight::kGrave};

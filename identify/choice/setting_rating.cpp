@@ -21,8 +21,9 @@ constexpr std::size_t kMostRivals = 200;
 /// Rates settings by a table of them.
 class Rating {
  public:
-  Rating(const ChoiceRequest& request, const SettingTable& table, Choice& choice)
-      : request_(request), settings_(request.settings), table_(table), choice_(choice) {}
+  Rating(const ChoiceRequest& request, const SettingTable& table, const std::vector<Eigen::MatrixXd>& errors,
+         Choice& choice)
+      : request_(request), settings_(request.settings), table_(table), errors_(errors), choice_(choice) {}
 
   void Run() {
     FindPresent();
@@ -75,8 +76,10 @@ class Rating {
     const Index count = objectives_.front().rows();
     cost_ = Eigen::MatrixXd::Zero(count, objectives_.front().cols());
     for (std::size_t o = 0; o < objectives_.size(); ++o) {
-      relative_.push_back(objectives_[o].array().rowwise() /
-                          objectives_[o].row(static_cast<Index>(choice_.present)).array());
+      const Eigen::RowVectorXd present = objectives_[o].row(static_cast<Index>(choice_.present));
+      relative_.push_back(objectives_[o].array().rowwise() / present.array());
+      if (!errors_.empty()) relative_[o] += errors_[o](Eigen::all, kept_);
+      objectives_[o] = relative_[o].array().rowwise() * present.array();
       cost_ += settings_.objectives[o].weight * relative_[o];
     }
   }
@@ -254,6 +257,7 @@ class Rating {
   const ChoiceRequest& request_;
   const SettingsFile& settings_;
   const SettingTable& table_;
+  const std::vector<Eigen::MatrixXd>& errors_;
   Choice& choice_;
   std::vector<Index> kept_;
   std::vector<Eigen::MatrixXd> objectives_;
@@ -267,8 +271,9 @@ class Rating {
 
 }  // namespace
 
-void RateSettings(const ChoiceRequest& request, const SettingTable& table, Choice& choice) {
-  Rating(request, table, choice).Run();
+void RateSettings(const ChoiceRequest& request, const SettingTable& table, const std::vector<Eigen::MatrixXd>& errors,
+                  Choice& choice) {
+  Rating(request, table, errors, choice).Run();
 }
 
 }  // namespace fourpost

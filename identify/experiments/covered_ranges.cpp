@@ -44,10 +44,11 @@ bool IsSpan(CoveredQuantity quantity) {
 }
 
 bool Leaves(const CoveredRange& fit, const CoveredRange& prediction) {
-  constexpr double kMargin = 0.1;
+  // A third of an octave, a tenth of all else.
+  const double margin = fit.quantity == CoveredQuantity::kPostFrequency ? 0.26 : 0.1;
   const double span = fit.upper - fit.lower;
-  const double below = kMargin * (IsSpan(fit.quantity) ? span : std::abs(fit.lower));
-  const double above = kMargin * (IsSpan(fit.quantity) ? span : std::abs(fit.upper));
+  const double below = margin * (IsSpan(fit.quantity) ? span : std::abs(fit.lower));
+  const double above = margin * (IsSpan(fit.quantity) ? span : std::abs(fit.upper));
   // An amplitude from zero on is that of any history.
   const bool has_lower = IsSpan(fit.quantity) || prediction.lower > 0;
   return (has_lower && prediction.lower < fit.lower - below) || prediction.upper > fit.upper + above;

@@ -12,11 +12,15 @@
 namespace fourpost {
 namespace {
 
-/// Where the power of a speed, of heights of this spectrum, reaches a share of the whole.
-double FrequencyAt(double share, const Spectrum& heights) {
+/// Where the power of a speed, of heights of this spectrum, reaches a share of the whole; what noise of this density
+/// may come to is no motion.
+double FrequencyAt(double share, const Spectrum& heights, double noise_density) {
+  // A spectrum of few averages scatters by a factor of three.
+  constexpr double kScatter = 3;
   std::vector<double> power;
   for (std::size_t i = 0; i < heights.first.size(); ++i)
-    power.push_back(std::pow(heights.frequency_Hz[i], 2) * heights.first[i]);
+    power.push_back(
+        heights.first[i] > kScatter * noise_density ? std::pow(heights.frequency_Hz[i], 2) * heights.first[i] : 0);
   const double wanted = share * std::accumulate(power.begin(), power.end(), 0.0);
   double below = 0;
   for (std::size_t i = 0; i < power.size(); ++i)
@@ -30,15 +34,17 @@ void AddPosts(const MeasuredHistory& history, CoveredRanges& ranges) {
   constexpr double kRest = 0.01;
   const auto count = static_cast<std::size_t>(history.count);
   const auto segment = std::min(count, static_cast<std::size_t>(kSegment_s * history.rate_Hz));
-  for (const std::vector<double>& heights : history.heights) {
+  for (std::size_t post = 0; post < history.heights.size(); ++post) {
+    const std::vector<double>& heights = history.heights[post];
     if (segment < 4 || heights.size() < static_cast<std::size_t>(history.first) + count) continue;
     const std::vector<double> window(heights.begin() + history.first, heights.begin() + history.first + history.count);
     const double most = std::abs(
         *std::max_element(window.begin(), window.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
     if (most == 0) continue;
     const Spectrum spectrum = WelchSpectrum(window, window, history.rate_Hz, segment);
-    ranges.Add(CoveredQuantity::kPostFrequency, "posts", FrequencyAt(kRest, spectrum),
-               FrequencyAt(1 - kRest, spectrum));
+    const double noise = 2 * std::pow(history.post_noise_sd[post], 2) / history.rate_Hz;
+    ranges.Add(CoveredQuantity::kPostFrequency, "posts", FrequencyAt(kRest, spectrum, noise),
+               FrequencyAt(1 - kRest, spectrum, noise));
     ranges.Add(CoveredQuantity::kPostAmplitude, "posts", 0, most);
   }
 }

@@ -99,6 +99,15 @@ inline const Finding kPostSaturated{
     "post-saturated", Severity::kWarning,
     "the height of post '{}' {} of {}: how the post really moved there is unknown, which biases the parameters",
     "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
+inline const Finding kInputUnknown{
+    "input-unknown", Severity::kWarning,
+    "how {} of '{}' moved between {} and {}{} is not known, so samples there and for {} s after, until the vehicle has "
+    "settled, have no weight ({} % of all)",
+    "record without gaps where more is needed"};
+inline const Finding kInputNeverKnown{
+    "input-never-known", Severity::kError,
+    "gaps in {} of '{}' leave no samples at which the vehicle's motion is known",
+    "record it again, or cut the recording to a stretch without gaps by 'start' and 'end'"};
 inline const Finding kPostsUnitMistaken{
     "posts-unit-mistaken", Severity::kError,
     "the heights of the posts of '{}' are in another unit than stated, by a factor of 1000: {}",

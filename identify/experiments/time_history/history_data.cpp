@@ -7,20 +7,23 @@
 
 #include "analysis/files/bridged_samples.h"
 #include "analysis/files/near_file.h"
+#include "analysis/files/recorded_unit.h"
+#include "analysis/files/sample_times.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/clipping.h"
 #include "analysis/signals/dead_signal.h"
-#include "analysis/signals/motionless.h"
 #include "analysis/signals/noise_floor.h"
-#include "analysis/signals/random_stream.h"
 #include "analysis/signals/signal_levels.h"
-#include "analysis/signals/spectrum.h"
+#include "analysis/text/enumeration.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/motionless_signals.h"
+#include "identify/experiments/time_history/post_sampling.h"
+#include "identify/experiments/time_history/unknown_input.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/own_fault.h"
@@ -50,7 +53,9 @@ class HistoryLoader {
         posts_(NamesOf(vehicle.posts)),
         sensors_(NamesOf(vehicle.sensors)),
         actuators_(NamesOf(vehicle.actuators)),
-        post_noise_(vehicle.posts.size()) {}
+        post_noise_(vehicle.posts.size()),
+        post_gaps_(vehicle.posts.size()),
+        actuator_gaps_(vehicle.actuators.size()) {}
 
   std::optional<MeasuredHistory> Load() {
     CheckNames();
@@ -91,6 +96,7 @@ class HistoryLoader {
       CheckPost(p, history);
     }
     AddSignals(*recording, noise, history);
+    if (good_) LeaveOutUnknownInputs(*recording, history);
     return history;
   }
 
@@ -148,8 +154,9 @@ class HistoryLoader {
   std::vector<std::vector<double>> Tensions(const TimeRecording& recording) {
     std::vector<std::vector<double>> tensions(actuators_.size(), std::vector<double>(recording.samples()));
     for (const auto& [actuator, source] : study_.actuators) {
-      const Eigen::VectorXd tension = Combined(recording, source).values;
-      tensions[*IndexOf(actuator, actuators_)].assign(tension.begin(), tension.end());
+      const CombinedChannels tension = Combined(recording, source);
+      tensions[*IndexOf(actuator, actuators_)].assign(tension.values.begin(), tension.values.end());
+      actuator_gaps_[*IndexOf(actuator, actuators_)] = tension.gaps;
     }
     for (const auto& [actuator, load] : study_.loads_N)
       tensions[*IndexOf(actuator, actuators_)].assign(recording.samples(), load);
@@ -178,7 +185,7 @@ class HistoryLoader {
   }
 
   double ReadDeviation(const StudyNoise& stated, const std::string& unit) {
-    const std::optional<Quantity> sd = ParseQuantity(stated.sd);
+    const std::optional<Quantity> sd = ParseRecordedQuantity(stated.sd);
     if (sd && sd->unit.dimension == ParseUnit(unit)->dimension && sd->si >= 0) return sd->si;
     Fault(kNoiseUnreadable, stated.line, {stated.sensor, unit, stated.sd});
     return 0;
@@ -188,36 +195,6 @@ class HistoryLoader {
     if (study_.filter && !CheckFilterRate(study_.file.filename().string(), rate_Hz, study_.filter->cutoff_Hz,
                                           {file_, study_.line}, diagnostics_))
       good_ = false;
-  }
-
-  /// Beyond it nothing of the posts is kept, see Unfiltered(): what is there is noise.
-  double TakenBack_Hz(double rate_Hz) const {
-    return study_.filter ? std::min(0.4 * rate_Hz, 2.5 * study_.filter->cutoff_Hz) : rate_Hz;
-  }
-
-  /// Between samples posts follow a spline, which six samples a period hold to a few per cent.
-  void CheckSampling(const std::string& post, const Eigen::VectorXd& height, double rate_Hz) {
-    constexpr double kLeast = 6;
-    constexpr double kMostOf = 0.95;
-    const auto segment = static_cast<std::size_t>(std::min<Index>(1024, height.size()));
-    const std::span<const double> heights(height.data(), static_cast<std::size_t>(height.size()));
-    if (height.size() < 16) return;
-    const Spectrum spectrum = WelchSpectrum(heights, heights, rate_Hz, segment);
-    // Noise of the sensor is no motion; a spectrum of few averages scatters by a factor of three.
-    const double noise = 3 * 2 * std::pow(NoiseFloor(heights), 2) / rate_Hz;
-    std::vector<double> below;
-    double sum = 0;
-    // Of velocity, which dampers and sweeps go by.
-    for (std::size_t i = 0; i < spectrum.first.size() && spectrum.frequency_Hz[i] <= TakenBack_Hz(rate_Hz); ++i) {
-      const double density = spectrum.first[i] > noise ? spectrum.first[i] : 0;
-      below.push_back(sum += std::pow(spectrum.frequency_Hz[i], 2) * density);
-    }
-    const auto upper = std::lower_bound(below.begin(), below.end(), kMostOf * sum) - below.begin();
-    const double upper_Hz = spectrum.frequency_Hz[static_cast<std::size_t>(upper)];
-    if (sum == 0 || rate_Hz >= kLeast * upper_Hz) return;
-    diagnostics_.Report(kPostSampledTooSlowly, {file_, study_.line},
-                        {post, study_.name, FormatNumber(std::round(10 * upper_Hz) / 10), ShortNumber(rate_Hz, 4),
-                         FormatNumber(kLeast)});
   }
 
   void SetWindow(const TimeRecording& recording, MeasuredHistory& history) {
@@ -273,21 +250,20 @@ class HistoryLoader {
                            const MeasuredHistory& history, MeasuredSignal& signal) {
     const std::vector<char> is_bridged = BridgedSamples(recording, gaps);
     for (Index k = 0; k < history.count && !is_bridged.empty(); ++k)
-      if (is_bridged[static_cast<std::size_t>(history.first + k)]) LeaveOut(k, signal);
-  }
-
-  static void LeaveOut(Index k, MeasuredSignal& signal) {
-    signal.is_unknown.resize(static_cast<std::size_t>(signal.values.size()));
-    signal.is_unknown[static_cast<std::size_t>(k)] = true;
+      if (is_bridged[static_cast<std::size_t>(history.first + k)]) signal.LeaveOut(k);
   }
 
   std::vector<std::vector<double>> Heights(const TimeRecording& recording) {
     std::vector<std::vector<double>> heights(posts_.size(), std::vector<double>(recording.samples()));
     for (const auto& [post, source] : study_.posts) {
-      const Eigen::VectorXd recorded = Combined(recording, source).values;
-      const Eigen::VectorXd height = study_.has_absolute_heights ? recorded : WithoutMean(recorded);
-      CheckSampling(post, height, recording.rate_Hz());
+      const CombinedChannels recorded = Combined(recording, source);
+      const Eigen::VectorXd height = study_.has_absolute_heights ? recorded.values : WithoutMean(recorded.values);
+      if (const std::optional<double> upper_Hz = SampledTooSlowly(height, recording.rate_Hz(), study_.filter))
+        diagnostics_.Report(kPostSampledTooSlowly, {file_, study_.line},
+                            {post, study_.name, FormatNumber(std::round(10 * *upper_Hz) / 10),
+                             ShortNumber(recording.rate_Hz(), 4), FormatNumber(kLeastSamplesAPeriod)});
       heights[*IndexOf(post, posts_)].assign(height.begin(), height.end());
+      post_gaps_[*IndexOf(post, posts_)] = recorded.gaps;
     }
     return heights;
   }
@@ -315,48 +291,36 @@ class HistoryLoader {
     }
     if (history.signals.empty())
       Fault(has_dead ? kHistoryMotionless : kHistoryAllSaturated, study_.line, {study_.name});
-    for (MeasuredSignal& signal : history.signals) signal.loudest = LoudestOf(signal.unit, history);
-    LeaveOutMotionless(history);
-  }
-
-  static double LoudestOf(const std::string& unit, const MeasuredHistory& history) {
-    double loudest = 0;
-    for (const MeasuredSignal& other : history.signals)
-      if (other.unit == unit) loudest = std::max(loudest, other.Deviation());
-    return loudest;
-  }
-
-  /// Their weights would be those of rounding. Dead ones are faults already.
-  void LeaveOutMotionless(MeasuredHistory& history) {
-    std::erase_if(history.signals, [&](const MeasuredSignal& signal) {
-      const double deviation = signal.Deviation();
-      const double size = std::max(signal.loudest, SizeByPosts(signal.unit, history));
-      if (deviation == 0 || deviation >= kMotionlessShare * size) return false;
-      diagnostics_.Report(kChannelMotionless, {file_, signal.source.line},
-                          {signal.name, history.name, ShortNumber(deviation, 2) + " " + signal.unit,
-                           ShortNumber(size, 2) + " " + signal.unit});
-      return true;
-    });
+    FindLoudest(history.signals);
+    for (const MotionlessSignal& signal : TakeMotionless(history))
+      diagnostics_.Report(kChannelMotionless, {file_, signal.line},
+                          {signal.name, history.name, signal.rms, signal.largest_rms});
     if (history.signals.empty() && good_) Fault(kHistoryMotionless, study_.line, {study_.name});
   }
 
-  /// What the posts' motion alone moves sensors of this unit by, for one that is the only one of its kind. Turning by
-  /// the largest distance between posts of a road vehicle, of which it is less than for any other.
-  static double SizeByPosts(const std::string& unit, const MeasuredHistory& history) {
-    constexpr double kLongest_m = 10;
-    double height_m = 0;
-    double speed = 0;
-    for (const std::vector<double>& heights : history.heights) {
-      if (heights.size() < 2) continue;
-      const Eigen::Map<const Eigen::VectorXd> z(heights.data(), std::ssize(heights));
-      const Eigen::VectorXd slope = history.rate_Hz * (z.tail(z.size() - 1) - z.head(z.size() - 1));
-      height_m = std::max(height_m, std::sqrt((z.array() - z.mean()).square().mean()));
-      speed = std::max(speed, std::sqrt(slope.squaredNorm() / static_cast<double>(slope.size())));
-    }
-    if (unit == "m") return height_m;
-    if (unit == "m/s") return speed;
-    if (unit == "rad") return height_m / kLongest_m;
-    return unit == "rad/s" ? speed / kLongest_m : 0;
+  /// Posts first, then actuators.
+  void LeaveOutUnknownInputs(const TimeRecording& recording, MeasuredHistory& history) {
+    std::vector<BridgedGap> gaps;
+    std::vector<std::string> names;
+    const auto look = [&](const std::string& name, std::span<const double> input, double noise_sd,
+                          const std::vector<BridgedGap>& bridged) {
+      const std::vector<BridgedGap> visible = VisibleGaps(recording, input, noise_sd, bridged);
+      if (!visible.empty()) names.push_back("'" + name + "'");
+      gaps.insert(gaps.end(), visible.begin(), visible.end());
+    };
+    for (std::size_t p = 0; p < posts_.size(); ++p)
+      look(posts_[p], history.heights[p], history.post_noise_sd[p], post_gaps_[p]);
+    for (std::size_t a = 0; a < actuators_.size(); ++a) look(actuators_[a], history.tensions[a], 0, actuator_gaps_[a]);
+    if (gaps.empty()) return;
+    const double settled_s = LeaveOutMotion(vehicle_, gaps, history);
+    const Index left = history.count - history.signals.front().UnknownCount(1);
+    constexpr Index kLeast = 16;
+    if (left < kLeast) return Fault(kInputNeverKnown, study_.line, {Enumeration(names), history.name});
+    diagnostics_.Report(
+        kInputUnknown, {file_, study_.line},
+        {Enumeration(names), history.name, SecondsText(gaps.front().from_s), SecondsText(gaps.front().to_s),
+         gaps.size() > 1 ? " and in later gaps" : "", ShortNumber(settled_s, 2),
+         ShortNumber(100 * (1 - static_cast<double>(left) / static_cast<double>(history.count)), 2)});
   }
 
   /// Of the window, whose saturated samples are left out: what they should have read is not known. False where the
@@ -374,7 +338,7 @@ class HistoryLoader {
                         {signal.name, ends->Text(signal.unit, first_s), study_.file.filename().string()});
     if (ends->is_exact())
       for (Index k = 0; k < history.count; ++k)
-        if (Stands(all[history.first + k], *ends)) LeaveOut(k, signal);
+        if (ends->IsExactAt(all[history.first + k])) signal.LeaveOut(k);
     return !is_left_out;
   }
 
@@ -391,12 +355,6 @@ class HistoryLoader {
                            study_.file.filename().string()});
   }
 
-  /// At an end that it reaches exactly.
-  static bool Stands(double value, const ClippedEnds& ends) {
-    return (ends.top && ends.top->noise == 0 && value >= ends.top->level) ||
-           (ends.bottom && ends.bottom->noise == 0 && value <= ends.bottom->level);
-  }
-
   const StudyHistory& study_;
   const Control& control_;
   const std::string& file_;
@@ -407,6 +365,8 @@ class HistoryLoader {
   std::vector<std::string> actuators_;
   /// As stated.
   std::vector<std::optional<double>> post_noise_;
+  std::vector<std::vector<BridgedGap>> post_gaps_;
+  std::vector<std::vector<BridgedGap>> actuator_gaps_;
   std::vector<RecordedChannel> wanted_;
   /// Channel of the recording to take next.
   std::size_t next_ = 0;

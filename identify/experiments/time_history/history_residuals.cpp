@@ -312,6 +312,33 @@ std::vector<PostNoise> HistoryResiduals::PostNoiseAt(const std::vector<double>& 
   return noise;
 }
 
+std::vector<Eigen::VectorXd> HistoryResiduals::ByPostNoise(const std::vector<double>& values) const {
+  const std::vector<PostNoise> noise = PostNoiseAt(values);
+  std::vector<Eigen::VectorXd> sizes;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const MeasuredHistory& history = histories_[h];
+    sizes.emplace_back(Eigen::VectorXd::Zero(std::ssize(history.signals)));
+    if (!noise[h].IsAny()) continue;
+    const CondensedModel model = ModelOf(history, values);
+    const auto residuals = [&](double sign) {
+      const MeasuredHistory noisy = WithPostNoise(history, noise[h], h, sign);
+      return ResidualsOf(history, model, HistorySimulation(noisy, simulations_[h].step_s()).Run(model));
+    };
+    // Half the difference of both, in which all that the noise did not change cancels.
+    const Eigen::VectorXd change = 0.5 * (residuals(1) - residuals(-1));
+    const Index each = CountOf(history);
+    for (Index i = 0; i < sizes[h].size(); ++i)
+      sizes[h][i] = std::sqrt(change.segment(i * each, each).squaredNorm() / static_cast<double>(each));
+  }
+  return sizes;
+}
+
+Eigen::MatrixXd HistoryResiduals::WithStart(std::size_t history, const std::vector<double>& values,
+                                            Eigen::MatrixXd modelled) const {
+  AddStartTo(histories_[history], ModelOf(histories_[history], values), modelled);
+  return modelled;
+}
+
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {
   std::vector<double> changes;
   for (std::size_t h = 0; h < histories_.size(); ++h) {

@@ -89,6 +89,8 @@ class HistoryResiduals {
 
   /// Whitened: of each history. Throws as PostNoiseOf() does.
   std::vector<PostNoise> PostNoiseAt(const std::vector<double>& values) const;
+  /// Whitened: of each history the rms of what that noise adds to the residuals of each signal. Throws as that does.
+  std::vector<Eigen::VectorXd> ByPostNoise(const std::vector<double>& values) const;
 
   /// By how much half the step changes each history at these values: of its signals the largest rms of the change, as a
   /// share of the signal's own. Steps are those of the file's values, and others may want finer ones.
@@ -105,6 +107,9 @@ class HistoryResiduals {
 
   /// Of a whitened residual.
   double DeviationOf(const MeasuredSignal& signal) const;
+
+  /// Whitened: what an engine gives from rest at the first sample, and the state there that suits the measurement.
+  Eigen::MatrixXd WithStart(std::size_t history, const std::vector<double>& values, Eigen::MatrixXd modelled) const;
 
   /// The vehicle at these values, and at the history's setting.
   CondensedModel ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const;

@@ -16,6 +16,11 @@ bool Changes(const std::vector<double>& signal) {
 
 double MeasuredSignal::Deviation() const { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
+void MeasuredSignal::LeaveOut(Index k) {
+  is_unknown.resize(static_cast<std::size_t>(values.size()));
+  is_unknown[static_cast<std::size_t>(k)] = true;
+}
+
 Eigen::VectorXd MeasuredSignal::MeasuredOr(const Eigen::Ref<const Eigen::VectorXd>& modelled) const {
   if (is_unknown.empty()) return values;
   double sum = 0;

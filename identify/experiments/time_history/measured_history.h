@@ -31,6 +31,9 @@ struct MeasuredSignal {
 
   double Deviation() const;
 
+  /// A sample that was not measured.
+  void LeaveOut(Eigen::Index k);
+
   /// What was measured; where nothing was, what the model gives, so that it weighs nothing: offsets of both are then
   /// equal over the other samples.
   Eigen::VectorXd MeasuredOr(const Eigen::Ref<const Eigen::VectorXd>& modelled) const;

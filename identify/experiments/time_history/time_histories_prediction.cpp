@@ -58,7 +58,7 @@ class HistoryPrediction {
     const std::optional<EngineHistory> answer =
         Answer(subject_, history, {.engine = request_.engine.value_or(Engine::kAuto)}, hooks_);
     if (!answer) return std::nullopt;
-    const std::vector<Eigen::MatrixXd> modelled = {answer->modelled};
+    const std::vector<Eigen::MatrixXd> modelled = {reduced.WithStart(0, values, answer->modelled)};
     std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
     if (answer->by.engine == Engine::kFull) AddReducedErrors(history, reduced.Modelled(values).front(), misfits);
     if (request_.has_kalman) AddKalman(history, misfits);
@@ -180,7 +180,7 @@ std::vector<HistoryMisfit> Answers(std::vector<MeasuredHistory> histories, const
     entry.update(EngineJson(answer->by, options.error));
     results.json["histories"].push_back(entry);
     results.text += FitEngineText(history.name, answer->by);
-    modelled.push_back(std::move(answer->modelled));
+    modelled.push_back(reduced.WithStart(modelled.size(), values, std::move(answer->modelled)));
   }
   if (modelled.size() < histories.size())
     hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(histories.size()) +

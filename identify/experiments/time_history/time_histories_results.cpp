@@ -30,31 +30,37 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// HistoryMisfit::misfit, where the cost has one.
-void AddDeviations(const HistoryResiduals& residuals, const std::vector<Eigen::MatrixXd>& modelled,
-                   std::vector<HistoryMisfit>& misfits) {
+/// HistoryMisfit::misfit, where the cost has one. Noise of posts is allowed for as in FitResult::Misfit().
+void AddDeviations(const HistoryResiduals& residuals, const FitResult& fit,
+                   const std::vector<Eigen::MatrixXd>& modelled, std::vector<HistoryMisfit>& misfits) {
+  const std::vector<Eigen::VectorXd> by_posts =
+      fit.is_input_noise_implausible ? std::vector<Eigen::VectorXd>() : residuals.ByPostNoise(fit.values);
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < modelled.size(); ++h)
     for (std::size_t s = 0; s < residuals.histories()[h].signals.size(); ++s, ++misfit) {
       const MeasuredSignal& signal = residuals.histories()[h].signals[s];
-      const auto model = modelled[h].col(static_cast<Eigen::Index>(s));
+      const auto column = static_cast<Eigen::Index>(s);
+      const auto model = modelled[h].col(column);
       const Eigen::VectorXd error = model - signal.MeasuredOr(model);
+      const auto measured = static_cast<double>(error.size() - signal.UnknownCount(1));
+      const double by_post = by_posts.empty() ? 0 : by_posts[h][column];
       const double off =
-          std::sqrt(error.squaredNorm() / static_cast<double>(error.size())) / residuals.DeviationOf(signal);
+          std::sqrt(error.squaredNorm() / measured) / residuals.DeviationOf(signal) / std::hypot(1, by_post);
       if (std::isfinite(off)) misfit->misfit = off;
     }
 }
 
 /// Table and files; `name` of the files. `reduced`: by the residuals, whatever engine has modelled them.
 std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& vehicle,
-                                const HistoryResiduals& residuals, const std::vector<double>& values,
+                                const HistoryResiduals& residuals, const FitResult& fit,
                                 const std::vector<Eigen::MatrixXd>& modelled,
                                 const std::vector<Eigen::MatrixXd>& reduced, bool has_one_step, const std::string& name,
                                 std::string& text, ExperimentResults& results) {
   const HistoryPlan& plan = experiment.plan;
   const std::vector<MeasuredHistory>& histories = residuals.histories();
+  const std::vector<double>& values = fit.values;
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
-  if (plan.cost == HistoryCost::kWhitened) AddDeviations(residuals, modelled, misfits);
+  if (plan.cost == HistoryCost::kWhitened) AddDeviations(residuals, fit, modelled, misfits);
   if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
   LintHistories(plan.file, plan.histories, vehicle, values, residuals, reduced, misfits, results.findings);
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
@@ -177,7 +183,7 @@ Predictions PredictAll(const TimeHistories& experiment, const Subject& subject, 
       Eigen::MatrixXd reduced = residuals.Modelled(fit.values).front();
       EngineHistory answer = SimulateBy({.error = error}, history, subject.vehicle(), fit.values).value();
       out.histories.push_back(history);
-      out.modelled.push_back(std::move(answer.modelled));
+      out.modelled.push_back(residuals.WithStart(0, fit.values, std::move(answer.modelled)));
       out.by.push_back(std::move(answer.by));
       out.reduced.push_back(std::move(reduced));
       out.steps_s.push_back(residuals.Steps().front());
@@ -198,8 +204,8 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
       subject.Condensed(), predictions.histories,
       {.model_error = experiment.Options(subject).model_error, .steps_s = predictions.steps_s});
   results.json["validation"] =
-      HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled,
-                              predictions.reduced, false, "validation", results.unseen_text, results));
+      HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit, predictions.modelled, predictions.reduced,
+                              false, "validation", results.unseen_text, results));
   for (std::size_t h = 0; h < predictions.by.size(); ++h)
     AddEngine(predictions.histories[h], false, predictions.by[h], error, results);
   AddReleases(subject.vehicle(), fit.values, residuals, results.unseen_text, results);
@@ -219,7 +225,7 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
     const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
     const std::vector<HistoryMisfit> misfits =
-        Show(*this, subject.vehicle(), residuals, fit.values, modelled, modelled, plan.cost == HistoryCost::kPrediction,
+        Show(*this, subject.vehicle(), residuals, fit, modelled, modelled, plan.cost == HistoryCost::kPrediction,
              "history", results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];

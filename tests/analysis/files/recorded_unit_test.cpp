@@ -54,6 +54,14 @@ TEST(RecordedUnit, OfPressureAndSlugsIsThatOfTheTables) {
   EXPECT_FALSE(ParseRecordedUnit("lb"));
 }
 
+TEST(RecordedUnit, StandsBehindANumber) {
+  EXPECT_DOUBLE_EQ(ParseRecordedQuantity("0.02 g").value().si, 0.02 * 9.80665);
+  EXPECT_DOUBLE_EQ(ParseRecordedQuantity(" 2e-3in ").value().si, 5.08e-5);
+  EXPECT_EQ(ParseRecordedQuantity("5 m/s2").value().unit.dimension, kAcceleration);
+  EXPECT_EQ(ParseRecordedQuantity("3").value().si, 3);
+  for (const char* text : {"", "g", "1 lb", "1 2 mm", "inf m"}) EXPECT_FALSE(ParseRecordedQuantity(text)) << text;
+}
+
 TEST(RecordedUnit, IsNothingForWhatIsNone) {
   for (const char* text : {"", "V", "furlong", "m/", "0.5"}) EXPECT_FALSE(ParseRecordedUnit(text)) << text;
 }

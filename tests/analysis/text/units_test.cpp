@@ -54,6 +54,15 @@ TEST(Units, ReadsSpeedsPerHour) {
   EXPECT_DOUBLE_EQ(ParseQuantity("2min")->si, 120);
 }
 
+// NIST SP 811, appendix B.9: 1 lbf/in = 175.1268 N/m.
+TEST(Units, MayBeThoseOfTheUnitedStates) {
+  EXPECT_NEAR(ParseUnit("lbf/in").value().si / 175.1268, 1, 1e-6);
+  EXPECT_EQ(ParseUnit("lbf/in")->dimension, kStiffness);
+  EXPECT_EQ(ParseUnit("lbf*s/in")->dimension, kDamping);
+  EXPECT_DOUBLE_EQ(ParseQuantity("2 in")->si, 0.0508);
+  EXPECT_EQ(FormatQuantity(ParseQuantity("120.5 lbf/in")->si, "lbf/in"), "120.5 lbf/in");
+}
+
 TEST(Units, AreUnknownWhenAnyPartIs) {
   for (const char* text : {"", "furlong", "N/", "/s", "N//m", "N m", "m^", "m^0", "m^10", "m^x", "kn", "m^2^2", " m"})
     EXPECT_FALSE(ParseUnit(text)) << text;

@@ -9,6 +9,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "identify/choice/choice_answer.h"
+#include "identify/choice/engine_error.h"
 #include "identify/choice/findings.h"
 #include "identify/choice/setting_search.h"
 #include "identify/search/draws.h"
@@ -269,6 +270,64 @@ TEST(Choice, ComparesEnginesAndSaysWhereTheyDisagree) {
   EXPECT_THAT(ChoiceText(answer), testing::HasSubstr("are " + std::to_string(within - 1) + " other settings."));
   request.full = [](std::span<const double>) -> MatrixXd { throw std::runtime_error("diverges"); };
   EXPECT_THAT(Choose(request, {}).findings, Reports(kEngineWithoutRide, {"diverges"}));
+}
+
+// Time histories of a car that is best elsewhere than spectra say.
+TEST(Choice, FollowsTimeHistoriesWhereSpectraErr) {
+  ChoiceRequest request = StandIn();
+  request.histories = [](std::span<const double> p) {
+    MatrixXd metrics = StandInMetrics(p);
+    metrics(0, 0) -= 0.2 * (p[0] - 1);
+    return metrics;
+  };
+  const Choice choice = Choose(request, {});
+  // x = 1.4 in place of 1.3.
+  EXPECT_EQ(BestOf(request, choice), "x 9, y 7");
+  const RatedSetting& best = choice.rows[choice.best.value()];
+  // By the histories 1 + 0.1^2 - 0.2 * 0.4 of 1 + 0.3^2 + 0.2^2 / 2, with the doubt of s.
+  EXPECT_NEAR(best.change.mean, (1.01 - 0.08) / 1.11 - 1, 0.01);
+  const ChoiceAnswer answer{.subject = "run", .confidence = "95 %", .request = request, .choice = choice};
+  EXPECT_THAT(ChoiceText(answer), testing::HasSubstr("and the difference between spectra and time histories as of"));
+}
+
+SettingsFile TwoKnobs() {
+  SettingsFile file;
+  file.knobs = {KnobOf("x", 0, 11, 5), KnobOf("y", 1, 11, 5)};
+  file.objectives = {{.metric = 0, .weight = 1}};
+  return file;
+}
+
+EngineCheck CheckOf(std::size_t row, double difference) {
+  return {.row = row, .objective = 0, .by_spectra = 0.1, .by_engine = 0.1 + difference};
+}
+
+TEST(EngineErrors, AreThoseComparedAndLinearBeyond) {
+  const std::vector<Setting> settings = {{5, 5}, {8, 5}, {5, 8}, {8, 8}, {9, 5}, {2, 5}};
+  const std::vector<EngineCheck> checks = {CheckOf(1, 0.03), CheckOf(2, -0.01)};
+  const MatrixXd mean = EngineErrors(TwoKnobs(), settings, 0, checks, 1).at(0);
+  EXPECT_EQ(mean(0, 0), 0);
+  EXPECT_NEAR(mean(1, 0), 0.03, 1e-12);
+  EXPECT_NEAR(mean(2, 0), -0.01, 1e-12);
+  // 1 / 1.1 of the linear part is taken for linear.
+  EXPECT_NEAR(mean(3, 0), 0.02 / 1.1, 1e-12);
+  EXPECT_NEAR(mean(4, 0), 0.04 / 1.1, 1e-12);
+  EXPECT_NEAR(mean(5, 0), -0.03 / 1.1, 1e-12);
+  EXPECT_TRUE(EngineErrors(TwoKnobs(), settings, 0, {}, 1).empty());
+}
+
+// Closed form of the process without its doubt in v: with d = (0.03, -0.01), |f|^2 = 0.09 and 1.1 of that at both,
+// v = 0.001 / (2 * 0.099), times the mean m / (m - 2) of m / chi^2 with m = 5.
+TEST(EngineErrors, AreInDoubtWhereNothingWasCompared) {
+  const std::vector<Setting> settings = {{5, 5}, {8, 5}, {5, 8}, {8, 8}};
+  constexpr Index kDraws = 20000;
+  const MatrixXd draws = EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03), CheckOf(2, -0.01)}, kDraws).at(0);
+  EXPECT_EQ(draws.row(0).cwiseAbs().maxCoeff(), 0);
+  EXPECT_NEAR((draws.row(1).array() - 0.03).abs().maxCoeff(), 0, 1e-12);
+  const double variance = 0.001 / (2 * 0.099) * 5 / 3 * (0.18 + 0.018 - 2 * 0.09 * 0.09 / 0.099);
+  const double sd = std::sqrt((draws.row(3).array() - draws.row(3).mean()).square().mean());
+  EXPECT_NEAR(draws.row(3).mean(), 0.02 / 1.1, 4 * std::sqrt(variance / kDraws));
+  // Its squares have tails of chi^2_5 below.
+  EXPECT_NEAR(sd, std::sqrt(variance), 0.05 * std::sqrt(variance));
 }
 
 // The same optimum as all settings have.

@@ -13,6 +13,7 @@
 #include "tests/findings.h"
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
+#include "vehicles/condensed/mode_times.h"
 
 namespace fourpost::history_data_test {
 namespace {
@@ -202,16 +203,61 @@ std::string WithGap(const std::string& text, std::size_t first, std::size_t coun
 TEST_F(HistoryDataTest, KnowsWhichSamplesBridgeAGap) {
   history_.preparation.bridge_s = 0.05;
   // Below names and units.
-  const auto histories = Load(WithGap(StationCsv(recorded_, vehicle_), 2 + 1000, 20));
+  const auto histories = Load(WithGap(StationCsv(recorded_, vehicle_), 2 + 1000, 3));
   ASSERT_TRUE(histories) << diagnostics_.Format();
   const MeasuredHistory& history = histories->front();
   EXPECT_EQ(history.count, recorded_.size());
   for (const MeasuredSignal& signal : history.signals)
     for (Eigen::Index k = 0; k < history.count; ++k)
-      ASSERT_EQ(!signal.is_unknown.empty() && signal.is_unknown[static_cast<std::size_t>(k)], k >= 1000 && k < 1020)
+      ASSERT_EQ(!signal.is_unknown.empty() && signal.is_unknown[static_cast<std::size_t>(k)], k >= 1000 && k < 1003)
           << k;
-  EXPECT_EQ(history.LongestMeasured().first, 1020);
-  EXPECT_EQ(history.LongestMeasured().count, recorded_.size() - 1020);
+  EXPECT_EQ(history.LongestMeasured().first, 1003);
+  EXPECT_EQ(history.LongestMeasured().count, recorded_.size() - 1003);
+}
+
+// At 12 Hz a post goes through a period in 80 ms.
+TEST_F(HistoryDataTest, TakesTheWeightFromMotionThatFollowsAnUnknownInput) {
+  history_.preparation.bridge_s = 0.2;
+  const auto histories = Load(WithGap(StationCsv(recorded_, vehicle_), 2 + 1000, 80));
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  const MeasuredHistory& history = histories->front();
+  const std::vector<char>& is_unknown = history.signals.front().is_unknown;
+  EXPECT_FALSE(is_unknown[999]);
+  EXPECT_TRUE(is_unknown[1000]);
+  double settled_s = 0;
+  for (const Mode& mode : ModesOf(CondensedVehicle(vehicle_).At(vehicle_.ParameterValues())))
+    settled_s = std::max(settled_s, SettlingTime_s(mode));
+  const auto end = static_cast<std::size_t>(1080 + 500 * settled_s);
+  EXPECT_TRUE(is_unknown[end - 1]);
+  EXPECT_FALSE(is_unknown[end + 1]);
+  EXPECT_THAT(diagnostics_, Reports(kInputUnknown, 3, {"'ground' of 'sweep'", "between 1.998 s and 2.16 s"}));
+}
+
+TEST_F(HistoryDataTest, RefusesARecordingWithoutAnyMotionThatIsKnown) {
+  history_.preparation.bridge_s = 6;
+  EXPECT_THAT(Fault(WithGap(StationCsv(recorded_, vehicle_), 2 + 5, 2900)), Reports(kInputNeverKnown, 3, {"'ground'"}));
+}
+
+TEST_F(HistoryDataTest, TakesTheWeightFromWhatALoggerHeld) {
+  for (Eigen::Index k = 1000; k < 1020; ++k) {
+    recorded_.readings.row(k) = recorded_.readings.row(999);
+    recorded_.posts.row(k) = recorded_.posts.row(999);
+  }
+  const auto histories = Load();
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  const MeasuredHistory& history = histories->front();
+  const std::vector<char>& is_unknown = history.signals[2].is_unknown;
+  ASSERT_FALSE(is_unknown.empty());
+  EXPECT_FALSE(is_unknown[999]);
+  EXPECT_EQ(std::count(is_unknown.begin() + 1000, is_unknown.begin() + 1020, 1), 20);
+  EXPECT_THAT(diagnostics_, Reports(kLoggerHeld, 1003, {"from 1.998 s to 2.04 s", "20 samples"}));
+}
+
+TEST_F(HistoryDataTest, ReadsNoiseInUnitsOfRecordings) {
+  history_.noise = {{vehicle_.sensors[3].name, "0.02 g", 7}};
+  const auto histories = Load();
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  EXPECT_DOUBLE_EQ(histories->front().signals[3].noise_sd, 0.02 * 9.80665);
 }
 
 TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {

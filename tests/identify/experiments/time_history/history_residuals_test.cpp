@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/signals/drift.h"
+#include "analysis/signals/random_stream.h"
 #include "identify/experiments/time_history/history_block.h"
 #include "identify/experiments/time_history/history_misfits.h"
 #include "tests/identify/recorded_station.h"
@@ -98,6 +99,43 @@ TEST_F(HistoryResidualsTest, AreOverNoiseAndModelError) {
   const double sd = 0.05 * histories[0].signals[0].Deviation();
   for (const Eigen::Index k : {0, 1, 100, 555})
     EXPECT_NEAR(given[k], (modelled[5 * k] - histories[0].signals[0].values[5 * k]) / sd, 1e-12);
+}
+
+// Against noise of other seeds that is added to the heights. Both are means of squares over four records, of which the
+// narrow-band ones hold some twenty independent samples: the factor is five standard deviations of their ratio.
+TEST_F(HistoryResidualsTest, ChangeByNoiseOfPostsAsByNoiseInTheirRecord) {
+  constexpr double kSd_m = 1e-4;
+  constexpr int kRecords = 4;
+  constexpr double kMost = 2;
+  vehicle_ = ShippedVehicle("single_wheel_station");
+  MeasuredHistory history = Recording(std::nullopt).front();
+  history.post_noise_sd = {kSd_m};
+  history.post_noise_is_stated = {1};
+  const HistoryResiduals residuals = Residuals(std::vector<MeasuredHistory>(kRecords, history));
+  const std::vector<double> values = vehicle_.ParameterValues();
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(std::ssize(history.signals));
+  for (const Eigen::VectorXd& sizes : residuals.ByPostNoise(values)) expected += sizes.cwiseAbs2();
+  RandomStream random(3, "noise");
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(expected.size());
+  for (int record = 0; record < kRecords; ++record) {
+    std::vector<double> noise(history.heights[0].size());
+    for (double& one : noise) one = kSd_m * random.Normal();
+    const auto with_noise = [&](double sign) {
+      MeasuredHistory noisy = history;
+      for (std::size_t k = 0; k < noise.size(); ++k) noisy.heights[0][k] += sign * noise[k];
+      noisy.posts = FollowHeights(noisy.heights, noisy.posts.start_s, 1 / noisy.rate_Hz);
+      return Residuals({noisy}).At(values);
+    };
+    const Eigen::VectorXd change = 0.5 * (with_noise(1) - with_noise(-1));
+    const Eigen::Index each = change.size() / found.size();
+    for (Eigen::Index i = 0; i < found.size(); ++i)
+      found[i] += change.segment(i * each, each).squaredNorm() / static_cast<double>(each);
+  }
+  for (Eigen::Index i = 0; i < found.size(); ++i) {
+    ASSERT_GT(found[i], 0);
+    const double ratio = std::sqrt(expected[i] / found[i]);
+    EXPECT_LT(std::max(ratio, 1 / ratio), kMost) << i << ' ' << ratio;
+  }
 }
 
 // Each against another way of making the same change: of channels that of the record, of posts that of its heights.
