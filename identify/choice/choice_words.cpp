@@ -113,15 +113,16 @@ std::string DecidingWords(const ChoiceAnswer& answer) {
   if (!choice.best || choice.deciding.empty()) return "";
   constexpr std::size_t kMost = 3;
   constexpr double kLeast = 0.05;
+  const std::string rival = "the best setting and its likeliest rival, " + answer.NameOf(choice.rival);
   std::vector<std::string> parts;
   for (const DecidingParameter& one : choice.deciding) {
-    if (parts.size() == kMost || (one.explained < kLeast && !parts.empty())) break;
+    if (parts.size() == kMost || one.explained < kLeast) break;
     parts.push_back(
         answer.request.parameters[one.parameter] + " (" + Rounded(100 * one.explained, 2) + " % of its variance" +
         (one.gain > 0 ? "; known, it would lower the expected regret by " + SharePercent(one.gain) : "") + ")");
   }
-  return "Doubt of these decides between the best setting and its likeliest rival, " + answer.NameOf(choice.rival) +
-         ": " + Enumeration(parts) + ".";
+  if (parts.empty()) return "No single parameter's doubt decides between " + rival + ".";
+  return "Doubt of these decides between " + rival + ": " + Enumeration(parts) + ".";
 }
 
 std::string RunWords(const ChoiceAnswer& answer) {

@@ -11,9 +11,9 @@ namespace fourpost {
 
 /// By how much time histories change each objective against the present setting otherwise than spectra, for all
 /// settings and possible cars: settings x draws, a matrix per objective, as shares. At settings that were compared it
-/// is what `checks` say; between and beyond them a Gaussian process that is zero at the present setting, and linear in
-/// the positions of knobs but for a part of each setting's own, with a covariance of
-///   v (f_s' f_t + 0.1 |f_s|^2 at s = t),  f: positions from the present ones, as shares of each knob's,
+/// is what `checks` say; between and beyond them fractional Brownian motion, zero at the present setting, of exponent
+/// 3/4: covariance
+///   v/2 (|f_s|^1.5 + |f_t|^1.5 - |f_s - f_t|^1.5),  f: positions of knobs from the present ones, as shares of each,
 /// and v by the draw d' C^-1 d / n * m / chi^2_m, m = n + 3, of n comparisons: few leave it in doubt. One draw is the
 /// mean. Empty where nothing was compared.
 std::vector<Eigen::MatrixXd> EngineErrors(const SettingsFile& file, const std::vector<Setting>& settings,

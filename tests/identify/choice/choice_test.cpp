@@ -301,33 +301,38 @@ EngineCheck CheckOf(std::size_t row, double difference) {
   return {.row = row, .objective = 0, .by_spectra = 0.1, .by_engine = 0.1 + difference};
 }
 
-TEST(EngineErrors, AreThoseComparedAndLinearBeyond) {
-  const std::vector<Setting> settings = {{5, 5}, {8, 5}, {5, 8}, {8, 8}, {9, 5}, {2, 5}};
-  const std::vector<EngineCheck> checks = {CheckOf(1, 0.03), CheckOf(2, -0.01)};
-  const MatrixXd mean = EngineErrors(TwoKnobs(), settings, 0, checks, 1).at(0);
+/// Between settings x apart from the present one.
+double Covariance(double s, double t) {
+  const auto power = [](double x) { return std::pow(std::abs(x), 1.5); };
+  return 0.5 * (power(s) + power(t) - power(s - t));
+}
+
+TEST(EngineErrors, AreThoseComparedAndGoOnBeyond) {
+  const std::vector<Setting> settings = {{5, 5}, {8, 5}, {9, 5}, {2, 5}, {6, 5}};
+  const MatrixXd mean = EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03)}, 1).at(0);
   EXPECT_EQ(mean(0, 0), 0);
   EXPECT_NEAR(mean(1, 0), 0.03, 1e-12);
-  EXPECT_NEAR(mean(2, 0), -0.01, 1e-12);
-  // 1 / 1.1 of the linear part is taken for linear.
-  EXPECT_NEAR(mean(3, 0), 0.02 / 1.1, 1e-12);
-  EXPECT_NEAR(mean(4, 0), 0.04 / 1.1, 1e-12);
-  EXPECT_NEAR(mean(5, 0), -0.03 / 1.1, 1e-12);
+  // Closed form of one comparison.
+  for (const auto& [row, x] : {std::pair(2, 0.4), std::pair(3, -0.3), std::pair(4, 0.1)})
+    EXPECT_NEAR(mean(row, 0), 0.03 * Covariance(0.3, x) / Covariance(0.3, 0.3), 1e-12);
   EXPECT_TRUE(EngineErrors(TwoKnobs(), settings, 0, {}, 1).empty());
 }
 
-// Closed form of the process without its doubt in v: with d = (0.03, -0.01), |f|^2 = 0.09 and 1.1 of that at both,
-// v = 0.001 / (2 * 0.099), times the mean m / (m - 2) of m / chi^2 with m = 5.
+// One setting that was compared twice: the other one is Student-distributed about its mean.
 TEST(EngineErrors, AreInDoubtWhereNothingWasCompared) {
-  const std::vector<Setting> settings = {{5, 5}, {8, 5}, {5, 8}, {8, 8}};
-  constexpr Index kDraws = 20000;
-  const MatrixXd draws = EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03), CheckOf(2, -0.01)}, kDraws).at(0);
+  const std::vector<Setting> settings = {{5, 5}, {8, 5}, {7, 5}};
+  constexpr Index kDraws = 40000;
+  const MatrixXd draws = EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03), CheckOf(1, 0.03)}, kDraws).at(0);
   EXPECT_EQ(draws.row(0).cwiseAbs().maxCoeff(), 0);
-  EXPECT_NEAR((draws.row(1).array() - 0.03).abs().maxCoeff(), 0, 1e-12);
-  const double variance = 0.001 / (2 * 0.099) * 5 / 3 * (0.18 + 0.018 - 2 * 0.09 * 0.09 / 0.099);
-  const double sd = std::sqrt((draws.row(3).array() - draws.row(3).mean()).square().mean());
-  EXPECT_NEAR(draws.row(3).mean(), 0.02 / 1.1, 4 * std::sqrt(variance / kDraws));
-  // Its squares have tails of chi^2_5 below.
-  EXPECT_NEAR(sd, std::sqrt(variance), 0.05 * std::sqrt(variance));
+  EXPECT_NEAR((draws.row(1).array() - 0.03).abs().maxCoeff(), 0, 1e-9);
+  const double own = Covariance(0.3, 0.3);
+  const double across = Covariance(0.2, 0.3);
+  EXPECT_NEAR(draws.row(2).mean(), 0.03 * across / own, 1e-3);
+  Eigen::VectorXd off = (draws.row(2).array() - 0.03 * across / own).abs().matrix();
+  std::nth_element(off.begin(), off.begin() + off.size() / 2, off.end());
+  // n = 2 equal comparisons of one setting: d' C^-1 d / n = 0.03^2 / own / 2, m = 5; the median of |t_5| is 0.727.
+  const double scale = std::sqrt(0.03 * 0.03 / own / 2 * (Covariance(0.2, 0.2) - across * across / own));
+  EXPECT_NEAR(off[off.size() / 2], 0.727 * scale, 0.02 * scale);
 }
 
 // The same optimum as all settings have.
