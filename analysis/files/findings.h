@@ -69,10 +69,11 @@ inline const Finding kCsvNotANumber{"csv-not-a-number", Severity::kError, "{} '{
 inline const Finding kGapNotBridged{"gap-not-bridged", Severity::kError,
                                     "no samples of '{}' from {} to {}, longer than {}",
                                     "raise 'bridge', or cut the recording by 'start' and 'end'"};
-inline const Finding kLoggerHeld{
-    "logger-held", Severity::kWarning,
-    "no channel changes from {} to {}{}, then all jump: the logger held its last values, so {} samples have no weight",
-    "record again where it matters; look for an overloaded logger"};
+inline const Finding kChannelHeld{
+    "channel-held", Severity::kWarning,
+    "{} stand still from {} to {}{}, and then go on elsewhere, as of a logger that lost time or a loose plug: {} samples "
+    "of each count as not measured",
+    "record again where it matters"};
 inline const Finding kResampledBelow{
     "resampled-below", Severity::kError,
     "{} Hz are below the recorded rate of {} Hz, so that what is faster would be folded",

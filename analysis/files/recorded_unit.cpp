@@ -42,7 +42,8 @@ constexpr std::array<RecordedUnit, 5> kRecordedUnits = {{
     {"gn", kGravity, kAcceleration},
     {"inch", 0.0254, kLength},
     {"ips", 0.0254, kVelocity},
-    {"klbf", 4448.2216152605, kForce},
+    // Of the international pound and the standard gravity, as in units.cpp.
+    {"klbf", 1000 * 0.45359237 * kGravity, kForce},
 }};
 
 std::string Normalised(std::string_view text) {
@@ -78,7 +79,8 @@ std::optional<Unit> ParseRecordedUnit(std::string_view text) {
 }
 
 std::optional<Quantity> ParseRecordedQuantity(std::string_view text) {
-  const std::size_t end = text.find_first_not_of(" +-.0123456789eE");
+  text = Trimmed(text);
+  const std::size_t end = text.find_first_not_of("+-.0123456789eE");
   const std::string_view unit_text = end == std::string_view::npos ? std::string_view() : Trimmed(text.substr(end));
   const std::optional<Unit> unit = unit_text.empty() ? Unit{} : ParseRecordedUnit(unit_text);
   const std::optional<double> number = ParseNumber(Trimmed(text.substr(0, end)));

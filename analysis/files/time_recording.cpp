@@ -8,16 +8,15 @@
 
 #include "analysis/files/bridged_samples.h"
 #include "analysis/files/findings.h"
+#include "analysis/files/held_channels.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_layout.h"
 #include "analysis/files/sample_times.h"
 #include "analysis/signals/drift.h"
-#include "analysis/signals/held_samples.h"
 #include "analysis/signals/median.h"
 #include "analysis/signals/spline_through.h"
 #include "analysis/signals/uneven_samples.h"
-#include "analysis/text/counted.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 
@@ -50,16 +49,17 @@ class RecordReader {
       lengths.push_back(recording.channels.back().size());
     }
     recording.gaps.resize(wanted.size());
-    if (good_) LeaveOutHeld(times, recording.channels);
+    held_.resize(wanted.size());
+    if (good_) held_ = LeaveOutHeld(table_, wanted, times, recording.channels, diagnostics_);
     if (preparation.IsGridded()) PutOnGrid(wanted, times, lengths, preparation, recording);
     else recording.step_s = CheckTimes(wanted, times, lengths);
     if (!good_) return std::nullopt;
     if (!preparation.IsGridded()) {
       recording.start_s = times.front();
       recording.end_s = times.back();
-      for (std::vector<double>& channel : recording.channels)
-        if (!held_.empty()) BridgeMissing(times, channel);
-      std::fill(recording.gaps.begin(), recording.gaps.end(), held_);
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (!held_[i].empty()) BridgeMissing(times, recording.channels[i]);
+      recording.gaps = held_;
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) Prepare(wanted[i], recording.channels[i], recording);
     if (!good_) return std::nullopt;
@@ -78,30 +78,6 @@ class RecordReader {
   }
 
  private:
-  /// What a logger held was not measured.
-  void LeaveOutHeld(const std::vector<double>& times, std::vector<std::vector<double>>& channels) {
-    std::size_t samples = 0;
-    const std::vector<HeldSamples> all = HeldStretches(channels);
-    for (const HeldSamples& held : all) {
-      if (held.last + 1 >= times.size()) return;
-      held_.push_back({times[held.first - 1], times[held.last + 1]});
-      samples += held.last - held.first + 1;
-      for (std::vector<double>& channel : channels)
-        std::fill_n(channel.begin() + static_cast<std::ptrdiff_t>(held.first), held.last - held.first + 1,
-                    std::numeric_limits<double>::quiet_NaN());
-    }
-    if (held_.empty()) return;
-    diagnostics_.Report(
-        kLoggerHeld, {table_.file(), table_.line(all.front().first)},
-        {SecondsText(held_.front().from_s), SecondsText(held_.front().to_s),
-         all.size() > 1 ? ", nor in " + Counted(all.size() - 1, "later place") : "", std::to_string(samples)});
-  }
-
-  bool IsHeld(const BridgedGap& gap) const {
-    return std::any_of(held_.begin(), held_.end(),
-                       [&](const BridgedGap& held) { return gap.from_s >= held.from_s && gap.to_s <= held.to_s; });
-  }
-
   /// Their step; 0 for times that were no numbers, which have been reported.
   double CheckTimes(std::span<const RecordedChannel> wanted, const std::vector<double>& times,
                     const std::vector<std::size_t>& lengths) {
@@ -244,7 +220,7 @@ class RecordReader {
     const double longest_s = std::max(preparation.bridge_s, kJitter * usual);
     for (std::size_t i = 0; i < wanted.size(); ++i)
       recording.channels[i] =
-          OnGrid(wanted[i], times, recording.channels[i], grid, usual, longest_s, recording.gaps[i]);
+          OnGrid(wanted[i], times, recording.channels[i], grid, usual, longest_s, held_[i], recording.gaps[i]);
     if (!good_) return;
     if (preparation.rate_Hz) recording.preparations.push_back("resampled to " + FormatNumber(rate_Hz) + " Hz");
     if (bridged_ > 0)
@@ -257,14 +233,14 @@ class RecordReader {
 
   std::vector<double> OnGrid(const RecordedChannel& channel, const std::vector<double>& times,
                              const std::vector<double>& values, const std::vector<double>& grid, double usual,
-                             double longest_s, std::vector<BridgedGap>& gaps) {
+                             double longest_s, const std::vector<BridgedGap>& held, std::vector<BridgedGap>& gaps) {
     std::vector<double> at;
     std::vector<double> known;
     int found = 0;
     // `last`: behind which nothing was measured.
     const auto bridge = [&](BridgedGap gap, std::size_t row, bool last = false) {
       const double gap_s = gap.to_s - gap.from_s;
-      if (gap_s > longest_s && !IsHeld(gap) && found++ < kMostSampleFaults)
+      if (NotHeld_s(gap, held) > longest_s && found++ < kMostSampleFaults)
         Fault(kGapNotBridged, table_.line(row),
               {channel.names.front(), SecondsText(gap.from_s), SecondsText(gap.to_s), SecondsText(longest_s)});
       if (gap_s <= kJitter * usual) return;
@@ -283,7 +259,11 @@ class RecordReader {
     }
     if (!at.empty()) bridge({at.back(), times.back()}, times.size() - 1, true);
     if (at.size() < 3) Fault(kTooFewSamples, 0, {std::to_string(at.size())});
-    return at.size() < 3 ? std::vector<double>(grid.size()) : InterpolatedAt(at, known, grid);
+    if (at.size() < 3) return std::vector<double>(grid.size());
+    // Before and behind what was measured the end values stand: a cubic would go on by their noise.
+    std::vector<double> asked;
+    for (const double t : grid) asked.push_back(std::clamp(t, at.front(), at.back()));
+    return InterpolatedAt(at, known, asked);
   }
 
   static std::string Rate(double rate_Hz) { return FormatNumber(std::round(1e4 * rate_Hz) / 1e4); }
@@ -348,8 +328,8 @@ class RecordReader {
   bool times_good_ = true;
   /// Samples may be missing, since gaps are bridged.
   bool may_miss_ = false;
-  /// From the last sample before to the first behind.
-  std::vector<BridgedGap> held_;
+  /// Of each channel, from the last good sample before to the first behind.
+  std::vector<std::vector<BridgedGap>> held_;
   int bridged_ = 0;
   double longest_bridged_s_ = 0;
   /// Of channels that are integrated.

@@ -71,6 +71,8 @@ std::string CutTo(double start_s, double end_s);
 struct BridgedGap {
   double from_s = 0;
   double to_s = 0;
+
+  bool operator==(const BridgedGap&) const = default;
 };
 
 /// Signals sampled at once and evenly.

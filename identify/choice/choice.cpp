@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "identify/choice/engine_comparison.h"
 #include "identify/choice/engine_error.h"
@@ -55,10 +56,10 @@ Choice RateByEngines(const ChoiceRequest& request, const SettingTable& table, co
   Choice rated = unrated;
   RateSettings(request, table, {}, rated);
   Diagnostics compared;
+  std::set<std::size_t> tried;
   for (int round = 0; round < kMostRounds && rated.best; ++round) {
-    rated.findings = {};
-    const bool is_new = CompareHistories(request, hooks, rated);
-    compared.Add(rated.findings);
+    const bool is_new = CompareHistories(request, tried, hooks, rated, compared);
+    if (!is_new) break;
     Choice again = unrated;
     again.checks = std::move(rated.checks);
     again.is_interrupted = rated.is_interrupted;
@@ -66,8 +67,12 @@ Choice RateByEngines(const ChoiceRequest& request, const SettingTable& table, co
                  EngineErrors(request.settings, table.settings, rated.present, again.checks, request.draws.rows()),
                  again);
     rated = std::move(again);
-    if (!is_new || rated.is_interrupted) break;
+    if (rated.is_interrupted) break;
   }
+  if (rated.best && request.histories && !rated.is_interrupted && rated.best != rated.present &&
+      tried.count(*rated.best) == 0)
+    compared.Report(kBestNotCompared, {request.settings.file.string()},
+                    {SettingText(request.settings.knobs, rated.rows[*rated.best].setting)});
   rated.findings.Add(compared);
   return rated;
 }

@@ -13,18 +13,16 @@ namespace {
 /// Compares the change of the best settings against the present one with slower engines.
 class EngineComparison {
  public:
-  EngineComparison(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice)
-      : request_(request), hooks_(hooks), choice_(choice) {}
+  EngineComparison(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice, Diagnostics& findings)
+      : request_(request), hooks_(hooks), choice_(choice), findings_(findings) {}
 
-  bool Histories() {
+  bool Histories(std::set<std::size_t>& tried) {
     std::vector<std::size_t> rows = Shortlist();
-    std::erase_if(rows, [&](std::size_t row) {
-      return row == choice_.present || std::any_of(choice_.checks.begin(), choice_.checks.end(),
-                                                   [&](const EngineCheck& check) { return check.row == row; });
-    });
+    std::erase_if(rows, [&](std::size_t row) { return row == choice_.present || tried.count(row) > 0; });
+    tried.insert(rows.begin(), rows.end());
     const std::size_t before = choice_.checks.size();
     if (!rows.empty()) Compare(EngineCheck::Engine::kHistories, request_.histories, rows);
-    return choice_.checks.size() > before;
+    return choice_.checks.size() > before || choice_.is_interrupted;
   }
 
   void Full() {
@@ -69,8 +67,8 @@ class EngineComparison {
       if (row == choice_.present) continue;
       const std::size_t i = next++;
       if (!slow[0].IsGood() || !slow[i].IsGood() || !fast[i].IsGood()) {
-        choice_.findings.Report(kEngineWithoutRide, {request_.settings.file.string()},
-                                {EngineWords(engine), slow[0].IsGood() ? slow[i].failure : slow[0].failure});
+        findings_.Report(kEngineWithoutRide, {request_.settings.file.string()},
+                         {EngineWords(engine), slow[0].IsGood() ? slow[i].failure : slow[0].failure});
         continue;
       }
       for (std::size_t o = 0; o < request_.settings.objectives.size(); ++o)
@@ -109,11 +107,11 @@ class EngineComparison {
       if (worst == nullptr || std::abs(check.Difference()) > std::abs(worst->Difference())) worst = &check;
     }
     if (beyond > 0)
-      choice_.findings.Report(kEnginesDisagree, file,
-                              {std::to_string(beyond), std::to_string(compared), ObjectiveName(objective),
-                               EngineWords(engine), SharePercent(request_.settings.agreement),
-                               SettingText(request_.settings.knobs, choice_.rows[worst->row].setting),
-                               SharePercent(worst->by_spectra), SharePercent(worst->by_engine)});
+      findings_.Report(kEnginesDisagree, file,
+                       {std::to_string(beyond), std::to_string(compared), ObjectiveName(objective), EngineWords(engine),
+                        SharePercent(request_.settings.agreement),
+                        SettingText(request_.settings.knobs, choice_.rows[worst->row].setting),
+                        SharePercent(worst->by_spectra), SharePercent(worst->by_engine)});
   }
 
   /// Whether a slower engine prefers another setting of the shortlist, or the present one.
@@ -131,26 +129,27 @@ class EngineComparison {
         }
       }
       if (is_compared && !choice_.rows[preferred].is_indistinct)
-        choice_.findings.Report(
-            kEngineOrder, file,
-            {EngineWords(engine), SettingText(request_.settings.knobs, choice_.rows[preferred].setting),
-             SharePercent(least)});
+        findings_.Report(kEngineOrder, file,
+                         {EngineWords(engine), SettingText(request_.settings.knobs, choice_.rows[preferred].setting),
+                          SharePercent(least)});
     }
   }
 
   const ChoiceRequest& request_;
   const WorkHooks& hooks_;
   Choice& choice_;
+  Diagnostics& findings_;
 };
 
 }  // namespace
 
-bool CompareHistories(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice) {
-  return request.histories && EngineComparison(request, hooks, choice).Histories();
+bool CompareHistories(const ChoiceRequest& request, std::set<std::size_t>& tried, const WorkHooks& hooks,
+                      Choice& choice, Diagnostics& findings) {
+  return request.histories && EngineComparison(request, hooks, choice, findings).Histories(tried);
 }
 
 void CompareFull(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice) {
-  EngineComparison(request, hooks, choice).Full();
+  EngineComparison(request, hooks, choice, choice.findings).Full();
 }
 
 }  // namespace fourpost

@@ -45,7 +45,7 @@ Compared ComparedOf(const std::vector<EngineCheck>& checks, std::size_t objectiv
   for (const EngineCheck& check : checks) {
     if (check.engine != EngineCheck::Engine::kHistories || check.objective != objective) continue;
     compared.rows.push_back(static_cast<Index>(check.row));
-    differences.push_back(check.Difference());
+    differences.push_back(std::log((1 + check.by_engine) / (1 + check.by_spectra)));
   }
   compared.differences = Eigen::Map<const Eigen::VectorXd>(differences.data(), std::ssize(differences));
   return compared;
@@ -110,7 +110,7 @@ std::vector<Eigen::MatrixXd> EngineErrors(const SettingsFile& file, const std::v
     Eigen::MatrixXd of(covariance.rows(), draws);
     for (Index d = 0; d < draws; ++d) {
       RandomStream random(file.seed, "engine error", static_cast<std::uint64_t>(d) * file.objectives.size() + o);
-      of.col(d) = draws == 1 ? process.Mean() : process.Draw(random);
+      of.col(d) = (draws == 1 ? process.Mean() : process.Draw(random)).array().exp();
     }
     errors.push_back(std::move(of));
   }

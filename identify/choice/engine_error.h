@@ -9,10 +9,10 @@
 
 namespace fourpost {
 
-/// By how much time histories change each objective against the present setting otherwise than spectra, for all
-/// settings and possible cars: settings x draws, a matrix per objective, as shares. At settings that were compared it
-/// is what `checks` say; between and beyond them fractional Brownian motion, zero at the present setting, of exponent
-/// 3/4: covariance
+/// By which factor time histories change each objective against the present setting otherwise than spectra, for all
+/// settings and possible cars: settings x draws, a matrix per objective. At settings that were compared it is what
+/// `checks` say; its logarithm d is, between and beyond them, fractional Brownian motion of exponent 3/4, zero at the
+/// present setting, with covariance
 ///   v/2 (|f_s|^1.5 + |f_t|^1.5 - |f_s - f_t|^1.5),  f: positions of knobs from the present ones, as shares of each,
 /// and v by the draw d' C^-1 d / n * m / chi^2_m, m = n + 3, of n comparisons: few leave it in doubt. One draw is the
 /// mean. Empty where nothing was compared.

@@ -146,8 +146,12 @@ inline const Finding kEnginesDisagree{"engines-disagree", Severity::kWarning,
                                       "for {} of {} settings '{}' changes otherwise by {} than by spectra, by more "
                                       "than {}; the worst is {}, {} by spectra and "
                                       "{} by them",
-                                      "trust the latter: P(best) and regret do as far as these are time histories, and "
-                                      "know more by a larger 'shortlist'"};
+                                      "trust the latter; changes, P(best) and regret follow time histories, the more "
+                                      "settings 'shortlist' has compared, the better"};
+inline const Finding kBestNotCompared{
+    "best-not-compared", Severity::kWarning,
+    "the best setting, {}, was not compared with time histories: each round of comparisons made another one the best",
+    "raise 'shortlist'"};
 inline const Finding kObjectiveZero{"objective-zero", Severity::kError,
                                     "'{}' is zero at the present setting, so no change of it can be stated",
                                     "choose another objective, or rougher roads", Weight::kGrave};

@@ -78,7 +78,7 @@ class Rating {
     for (std::size_t o = 0; o < objectives_.size(); ++o) {
       const Eigen::RowVectorXd present = objectives_[o].row(static_cast<Index>(choice_.present));
       relative_.push_back(objectives_[o].array().rowwise() / present.array());
-      if (!errors_.empty()) relative_[o] += errors_[o](Eigen::all, kept_);
+      if (!errors_.empty()) relative_[o].array() *= errors_[o](Eigen::all, kept_).array();
       objectives_[o] = relative_[o].array().rowwise() * present.array();
       cost_ += settings_.objectives[o].weight * relative_[o];
     }

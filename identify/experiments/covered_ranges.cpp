@@ -44,8 +44,8 @@ bool IsSpan(CoveredQuantity quantity) {
 }
 
 bool Leaves(const CoveredRange& fit, const CoveredRange& prediction) {
-  // A third of an octave, a tenth of all else.
-  const double margin = fit.quantity == CoveredQuantity::kPostFrequency ? 0.26 : 0.1;
+  // A fifth of frequencies, some third of an octave, and a tenth of all else.
+  const double margin = fit.quantity == CoveredQuantity::kPostFrequency ? 0.2 : 0.1;
   const double span = fit.upper - fit.lower;
   const double below = margin * (IsSpan(fit.quantity) ? span : std::abs(fit.lower));
   const double above = margin * (IsSpan(fit.quantity) ? span : std::abs(fit.upper));

@@ -95,7 +95,7 @@ SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what,
   channel.factor = ReadFactor(map, what);
   channel.delay_s = map.Quantity("delay", kTime, -1e3).value_or(0);
   channel.offset = map.Text("offset").value_or("");
-  if (!channel.offset.empty() && !ParseQuantity(channel.offset))
+  if (!channel.offset.empty() && !ParseRecordedQuantity(channel.offset))
     map.Fault(map.Get("offset"), kChannelOffset, {what, channel.offset});
   if (const auto trend = map.Text("trend")) {
     channel.has_trend = *trend == "remove";

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/files/recorded_unit.h"
 #include "analysis/files/time_recording.h"
 #include "identify/study_file/channel_source.h"
 
@@ -16,7 +17,7 @@ inline RecordedChannel AsRecorded(const SourceChannel& channel, const Dimension&
           .unit = channel.unit,
           .factor = channel.factor,
           .delay_s = channel.delay_s,
-          .offset = ParseQuantity(channel.offset),
+          .offset = ParseRecordedQuantity(channel.offset),
           .has_trend = channel.has_trend,
           .high_pass_Hz = channel.high_pass_Hz,
           .integrated_above_Hz = channel.integrated_above_Hz};

@@ -8,6 +8,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
@@ -165,10 +166,11 @@ void StudyEdit::ScaleNoise(const std::vector<std::string>& sensors, double facto
     for (const std::string& sensor : sensors) {
       if (!history.IsMap() || !history["noise"].IsDefined() || !history["noise"].IsMap()) continue;
       const YAML::Node noise = history["noise"][sensor];
-      const auto stated = noise.IsDefined() && noise.IsScalar() ? ParseQuantity(noise.Scalar()) : std::nullopt;
+      const auto stated = noise.IsDefined() && noise.IsScalar() ? ParseRecordedQuantity(noise.Scalar()) : std::nullopt;
       if (!stated) continue;
       const auto [begin, end] = SpanOf(noise, text_);
-      changes_[begin] = {end, FormatQuantity(AtDigits(factor * stated->si, 6), stated->unit_text)};
+      const double number = AtDigits(factor * stated->si / stated->unit.si, 6);
+      changes_[begin] = {end, FormatNumber(number) + (stated->unit_text.empty() ? "" : " " + stated->unit_text)};
     }
 }
 

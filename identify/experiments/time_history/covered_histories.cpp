@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "analysis/signals/spectrum.h"
@@ -13,15 +14,17 @@ namespace fourpost {
 namespace {
 
 /// Where the power of a speed, of heights of this spectrum, reaches a share of the whole; what noise of this density
-/// may come to is no motion.
+/// may come to is no motion. NaN where all is noise.
 double FrequencyAt(double share, const Spectrum& heights, double noise_density) {
-  // A spectrum of few averages scatters by a factor of three.
-  constexpr double kScatter = 3;
+  // Of one average, which is distributed exponentially, one bin of a thousand is higher.
+  constexpr double kScatter = 7;
   std::vector<double> power;
   for (std::size_t i = 0; i < heights.first.size(); ++i)
     power.push_back(
         heights.first[i] > kScatter * noise_density ? std::pow(heights.frequency_Hz[i], 2) * heights.first[i] : 0);
-  const double wanted = share * std::accumulate(power.begin(), power.end(), 0.0);
+  const double all = std::accumulate(power.begin(), power.end(), 0.0);
+  if (all == 0) return std::numeric_limits<double>::quiet_NaN();
+  const double wanted = share * all;
   double below = 0;
   for (std::size_t i = 0; i < power.size(); ++i)
     if ((below += power[i]) >= wanted) return heights.frequency_Hz[i];

@@ -101,8 +101,8 @@ inline const Finding kPostSaturated{
     "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
 inline const Finding kInputUnknown{
     "input-unknown", Severity::kWarning,
-    "how {} of '{}' moved between {} and {}{} is not known, so samples there and for {} s after, until the vehicle has "
-    "settled, have no weight ({} % of all)",
+    "{} of '{}' was not measured from {} to {}{}, so the vehicle's motion is unknown there and for {} s after, until it "
+    "has settled: these samples have no weight ({} % of all)",
     "record without gaps where more is needed"};
 inline const Finding kInputNeverKnown{
     "input-never-known", Severity::kError,

@@ -111,9 +111,10 @@ HistoryBands BandsOfHistory(const HistoryResiduals& reduced, const Vehicle& vehi
     const MeasuredSignal& signal = signals[static_cast<std::size_t>(s)];
     const double missed = ShareOf(discrepancies, signal.name) * RmsOf(modelled.col(s));
     bands.measured.col(s) = (bands.parameters.col(s).array().square() + missed * missed).sqrt();
-    const Eigen::VectorXd error = EveryNth(signal.values, bands.stride) - thinned.col(s);
+    const Eigen::VectorXd error = EveryNth(signal.MeasuredOr(modelled.col(s)), bands.stride) - thinned.col(s);
+    // Samples that were not measured are neither in the band nor outside.
     const auto outside = (error.cwiseAbs().array() > bands.measured.col(s).array()).count();
-    bands.counts.push_back({signal.name, error.size(), outside});
+    bands.counts.push_back({signal.name, error.size() - signal.UnknownCount(bands.stride), outside});
   }
   return bands;
 }

@@ -12,8 +12,10 @@
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/clipping.h"
 #include "analysis/signals/dead_signal.h"
+#include "analysis/signals/deviation.h"
 #include "analysis/signals/noise_floor.h"
 #include "analysis/signals/signal_levels.h"
+#include "analysis/text/counted.h"
 #include "analysis/text/enumeration.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
@@ -298,29 +300,40 @@ class HistoryLoader {
     if (history.signals.empty() && good_) Fault(kHistoryMotionless, study_.line, {study_.name});
   }
 
-  /// Posts first, then actuators.
+  /// Posts first, then actuators; of each kind the loudest says what shows.
   void LeaveOutUnknownInputs(const TimeRecording& recording, MeasuredHistory& history) {
+    constexpr double kShare = 0.01;
+    constexpr double kDeviations = 3;
     std::vector<BridgedGap> gaps;
     std::vector<std::string> names;
-    const auto look = [&](const std::string& name, std::span<const double> input, double noise_sd,
-                          const std::vector<BridgedGap>& bridged) {
-      const std::vector<BridgedGap> visible = VisibleGaps(recording, input, noise_sd, bridged);
-      if (!visible.empty()) names.push_back("'" + name + "'");
-      gaps.insert(gaps.end(), visible.begin(), visible.end());
+    const auto look = [&](const std::vector<std::string>& of, const std::vector<std::vector<double>>& inputs,
+                          const std::vector<double>& noise_sd, const std::vector<std::vector<BridgedGap>>& bridged) {
+      double loudest = 0;
+      for (const std::vector<double>& input : inputs) loudest = std::max(loudest, DeviationOf(input));
+      for (std::size_t i = 0; i < of.size(); ++i) {
+        const double unseen =
+            bridged[i].empty() ? 0 : std::max({kShare * loudest, kDeviations * noise_sd[i], 2 * LevelOf(inputs[i])});
+        const std::vector<BridgedGap> visible = VisibleGaps(recording, inputs[i], unseen, bridged[i]);
+        if (!visible.empty()) names.push_back("'" + of[i] + "'");
+        gaps.insert(gaps.end(), visible.begin(), visible.end());
+      }
     };
-    for (std::size_t p = 0; p < posts_.size(); ++p)
-      look(posts_[p], history.heights[p], history.post_noise_sd[p], post_gaps_[p]);
-    for (std::size_t a = 0; a < actuators_.size(); ++a) look(actuators_[a], history.tensions[a], 0, actuator_gaps_[a]);
+    std::vector<double> of_tensions;
+    for (const std::vector<double>& tension : history.tensions) of_tensions.push_back(NoiseFloor(tension));
+    look(posts_, history.heights, history.post_noise_sd, post_gaps_);
+    look(actuators_, history.tensions, of_tensions, actuator_gaps_);
     if (gaps.empty()) return;
-    const double settled_s = LeaveOutMotion(vehicle_, gaps, history);
-    const Index left = history.count - history.signals.front().UnknownCount(1);
+    const UnknownMotion unknown = LeaveOutMotion(vehicle_, std::move(gaps), history);
+    if (unknown.samples == 0) return;
     constexpr Index kLeast = 16;
-    if (left < kLeast) return Fault(kInputNeverKnown, study_.line, {Enumeration(names), history.name});
-    diagnostics_.Report(
-        kInputUnknown, {file_, study_.line},
-        {Enumeration(names), history.name, SecondsText(gaps.front().from_s), SecondsText(gaps.front().to_s),
-         gaps.size() > 1 ? " and in later gaps" : "", ShortNumber(settled_s, 2),
-         ShortNumber(100 * (1 - static_cast<double>(left) / static_cast<double>(history.count)), 2)});
+    if (history.count - unknown.samples < kLeast)
+      return Fault(kInputNeverKnown, study_.line, {Enumeration(names), history.name});
+    const double share = static_cast<double>(unknown.samples) / static_cast<double>(history.count);
+    diagnostics_.Report(kInputUnknown, {file_, study_.line},
+                        {Enumeration(names), history.name, SecondsText(unknown.gaps.front().from_s),
+                         SecondsText(unknown.gaps.front().to_s),
+                         unknown.gaps.size() > 1 ? " and in " + Counted(unknown.gaps.size() - 1, "later gap") : "",
+                         ShortNumber(unknown.settled_s, 2), ShortNumber(100 * share, 2)});
   }
 
   /// Of the window, whose saturated samples are left out: what they should have read is not known. False where the

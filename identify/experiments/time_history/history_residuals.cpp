@@ -141,10 +141,7 @@ Eigen::MatrixXd HistoryResiduals::Modelled(std::size_t h, const CondensedModel& 
 
 void HistoryResiduals::AddStartTo(const MeasuredHistory& history, const CondensedModel& model,
                                   Eigen::MatrixXd& modelled) const {
-  Eigen::VectorXd weights(modelled.cols());
-  for (Index i = 0; i < weights.size(); ++i)
-    weights[i] = 1 / std::pow(DeviationOf(history.signals[static_cast<std::size_t>(i)]), 2);
-  if (!history.release) AddStart(history, model, weights, history.Stride(), modelled);
+  if (!history.release) AddStart(history, model, WeightsOf(history), history.Stride(), modelled);
 }
 
 Eigen::VectorXd HistoryResiduals::ResidualsOf(const MeasuredHistory& history, const CondensedModel& model,
@@ -327,16 +324,67 @@ std::vector<Eigen::VectorXd> HistoryResiduals::ByPostNoise(const std::vector<dou
     // Half the difference of both, in which all that the noise did not change cancels.
     const Eigen::VectorXd change = 0.5 * (residuals(1) - residuals(-1));
     const Index each = CountOf(history);
-    for (Index i = 0; i < sizes[h].size(); ++i)
-      sizes[h][i] = std::sqrt(change.segment(i * each, each).squaredNorm() / static_cast<double>(each));
+    for (Index i = 0; i < sizes[h].size(); ++i) {
+      const Index measured = each - history.signals[static_cast<std::size_t>(i)].UnknownCount(history.Stride());
+      sizes[h][i] = std::sqrt(change.segment(i * each, each).squaredNorm() / static_cast<double>(measured));
+    }
   }
   return sizes;
 }
 
-Eigen::MatrixXd HistoryResiduals::WithStart(std::size_t history, const std::vector<double>& values,
-                                            Eigen::MatrixXd modelled) const {
-  AddStartTo(histories_[history], ModelOf(histories_[history], values), modelled);
-  return modelled;
+Eigen::VectorXd HistoryResiduals::WeightsOf(const MeasuredHistory& history) const {
+  Eigen::VectorXd weights(std::ssize(history.signals));
+  for (Index i = 0; i < weights.size(); ++i)
+    weights[i] = 1 / std::pow(DeviationOf(history.signals[static_cast<std::size_t>(i)]), 2);
+  return weights;
+}
+
+double HistoryResiduals::SquaresOf(const MeasuredHistory& history, const Eigen::MatrixXd& modelled) const {
+  const Eigen::VectorXd weights = WeightsOf(history);
+  const Index stride = history.Stride();
+  const auto counted = Eigen::seqN(0, Strided(history.count, stride), stride);
+  double squares = 0;
+  for (Index i = 0; i < weights.size(); ++i) {
+    const auto model = modelled.col(i);
+    squares +=
+        weights[i] * (history.signals[static_cast<std::size_t>(i)].MeasuredOr(model) - model)(counted).squaredNorm();
+  }
+  return squares;
+}
+
+Eigen::MatrixXd HistoryResiduals::WithStart(std::size_t h, const std::vector<double>& values,
+                                            const Eigen::MatrixXd& modelled) const {
+  constexpr int kMostRounds = 8;
+  constexpr double kVisible = 1e-4;
+  const MeasuredHistory& history = histories_[h];
+  const CondensedModel model = ModelOf(history, values);
+  Eigen::MatrixXd linear = modelled;
+  AddStartTo(history, model, linear);
+  const std::vector<Damper>& dampers = condensed_->vehicle().dampers;
+  const auto has_oil = [](const Damper& damper) { return damper.hydraulic.has_value(); };
+  if (history.release || std::any_of(dampers.begin(), dampers.end(), has_oil)) return linear;
+  const FreeMotion motion = FreeMotionOf(history, model);
+  Eigen::VectorXd kick = Eigen::VectorXd::Zero(motion.states.rows());
+  Eigen::MatrixXd best = modelled;
+  double least = SquaresOf(history, best);
+  try {
+    const Eigen::MatrixXd from_rest = simulations_[h].Run(model);
+    for (int round = 0; round < kMostRounds && motion.states.cols() > 0; ++round) {
+      const Eigen::VectorXd next =
+          kick + motion.states * StartOf(history, motion, WeightsOf(history), history.Stride(), best);
+      const Eigen::MatrixXd moved = modelled + simulations_[h].RunKicked(model, next) - from_rest;
+      const double squares = SquaresOf(history, moved);
+      if (!(squares < least)) break;
+      const bool is_done = squares > (1 - kVisible) * least;
+      kick = next;
+      best = moved;
+      least = squares;
+      if (is_done) break;
+    }
+  } catch (const std::runtime_error&) {
+    // A kick that the model cannot follow.
+  }
+  return least < SquaresOf(history, linear) ? best : linear;
 }
 
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {

@@ -108,8 +108,11 @@ class HistoryResiduals {
   /// Of a whitened residual.
   double DeviationOf(const MeasuredSignal& signal) const;
 
-  /// Whitened: what an engine gives from rest at the first sample, and the state there that suits the measurement.
-  Eigen::MatrixXd WithStart(std::size_t history, const std::vector<double>& values, Eigen::MatrixXd modelled) const;
+  /// Whitened: what an engine gives from rest, with what another state at the record's first sample changes in the
+  /// reduced model: that which suits the measurement best. Found by Gauss and Newton's method with the free motion of
+  /// AddStart(), so that dampers may be nonlinear; of hydraulic ones to first order.
+  Eigen::MatrixXd WithStart(std::size_t history, const std::vector<double>& values,
+                            const Eigen::MatrixXd& modelled) const;
 
   /// The vehicle at these values, and at the history's setting.
   CondensedModel ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const;
@@ -136,6 +139,10 @@ class HistoryResiduals {
   /// What the signals would be with an instrument off by one standard deviation, the state at the start not added.
   Eigen::MatrixXd Calibrated(std::size_t h, const CondensedModel& model, const Calibration& calibration,
                              const Eigen::MatrixXd& modelled) const;
+  /// Of each signal's squares.
+  Eigen::VectorXd WeightsOf(const MeasuredHistory& history) const;
+  /// Weighted, of every sample that counts.
+  double SquaresOf(const MeasuredHistory& history, const Eigen::MatrixXd& modelled) const;
   /// The state at the start that suits it added.
   void AddStartTo(const MeasuredHistory& history, const CondensedModel& model, Eigen::MatrixXd& modelled) const;
   Eigen::VectorXd OfPrediction(const std::vector<KalmanPrediction>& predictions) const;

@@ -137,7 +137,8 @@ Eigen::VectorXd GuessStart(const MeasuredHistory& history, const CondensedModel&
 HistorySimulation::HistorySimulation(const MeasuredHistory& history, double step_s)
     : history_(&history),
       parts_(std::max(1L, std::lround(std::ceil(1 / (history.rate_Hz * step_s) - 1e-9)))),
-      samples_(SamplesBefore(history) + history.count) {
+      samples_(SamplesBefore(history) + history.count),
+      lead_(history.release ? 0 : SamplesBefore(history) - history.first) {
   const double start = StartOfMotion_s(history);
   const Index steps = (samples_ - 1) * parts_ + 1;
   post_count_ = static_cast<Index>(history.posts.count);
@@ -160,7 +161,7 @@ template <typename Sample>
 void HistorySimulation::March(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline,
                               const Sample& sample) const {
   March(
-      model, state, deadline, [](const CondensedStepper&) {}, sample);
+      model, state, deadline, [](CondensedStepper&) {}, sample);
 }
 
 template <typename Follow, typename Sample>
@@ -220,6 +221,19 @@ Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Eigen:
   return signals;
 }
 
+Eigen::MatrixXd HistorySimulation::RunKicked(const CondensedModel& model, const Eigen::VectorXd& kick) const {
+  Eigen::MatrixXd readings(model.on_position.rows(), samples_);
+  Index steps = 0;
+  const auto follow = [&](CondensedStepper& stepper) {
+    if (steps == lead_ * parts_) stepper.SetState(stepper.state() + kick, PostsAt(steps));
+    ++steps;
+  };
+  March(model, {}, {}, follow, [&](Index k, const CondensedStepper& stepper) { stepper.Read(readings.col(k)); });
+  Eigen::MatrixXd signals = SignalsOf(*history_, readings);
+  if (history_->correction.size() > 0) signals += history_->correction;
+  return signals;
+}
+
 std::vector<Eigen::MatrixXd> HistorySimulation::RunNear(const CondensedModel& model,
                                                         std::span<const CondensedModel> neighbours) const {
   const Index sensors = model.on_position.rows();
@@ -232,7 +246,7 @@ std::vector<Eigen::MatrixXd> HistorySimulation::RunNear(const CondensedModel& mo
     Eigen::VectorXd own(sensors);
     Eigen::MatrixXd changes(sensors, std::ssize(group));
     Index steps = 0;
-    const auto follow = [&](const CondensedStepper& stepper) {
+    const auto follow = [&](CondensedStepper& stepper) {
       if (steps++ == 0) sensitivity.Start(stepper);
       else sensitivity.Step(stepper);
     };

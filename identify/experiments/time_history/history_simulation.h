@@ -43,6 +43,10 @@ class HistorySimulation {
   /// From this state; empty: from rest.
   Eigen::MatrixXd Run(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline) const;
 
+  /// From rest, and with `kick` added to the state [s s' x] at the record's first sample. Not for a release, nor for
+  /// hydraulic dampers, whose oil has states of its own.
+  Eigen::MatrixXd RunKicked(const CondensedModel& model, const Eigen::VectorXd& kick) const;
+
   /// What Run() gives for each neighbour of a model, to first order in their difference: see MotionSensitivity, whose
   /// Covers() must hold. Not for a release, whose start depends on the model. Throws as Run() does.
   std::vector<Eigen::MatrixXd> RunNear(const CondensedModel& model, std::span<const CondensedModel> neighbours) const;
@@ -77,6 +81,8 @@ class HistorySimulation {
   /// Posts of each step, one step after the other, from the start of the lead to the end of the window.
   std::vector<PostState> posts_;
   Eigen::Index samples_ = 0;
+  /// Of these, before the record's first one.
+  Eigen::Index lead_ = 0;
 };
 
 /// What an engine makes of a measured history.

@@ -32,6 +32,7 @@ CondensedModel AtSpeed(CondensedModel model) {
 struct FreeMode {
   std::complex<double> eigenvalue;
   Eigen::VectorXcd readings;
+  Eigen::VectorXcd state;
 };
 
 std::vector<FreeMode> ModesOf(const MeasuredHistory& history, const CondensedModel& model) {
@@ -48,7 +49,9 @@ std::vector<FreeMode> ModesOf(const MeasuredHistory& history, const CondensedMod
     const std::complex<double> value = pairs.values[i];
     const bool is_short = value.real() < -history.rate_Hz;
     if (value.imag() < 0 || is_short) continue;
-    FreeMode mode = {.eigenvalue = value, .readings = Eigen::VectorXcd(static_cast<Index>(history.signals.size()))};
+    FreeMode mode = {.eigenvalue = value,
+                     .readings = Eigen::VectorXcd(static_cast<Index>(history.signals.size())),
+                     .state = pairs.vectors.col(i)};
     for (std::size_t s = 0; s < history.signals.size(); ++s)
       mode.readings[static_cast<Index>(s)] =
           (sensors.row(static_cast<Index>(history.signals[s].sensor)) * pairs.vectors.col(i))(0);
@@ -108,7 +111,13 @@ FreeMotion FreeMotionOf(const MeasuredHistory& history, const CondensedModel& mo
   for (const FreeMode& mode : modes) columns += ColumnsOf(mode);
   const Index held = std::max<Index>(0, LastingSamples(history) - history.first);
   FreeMotion motion = {.first = std::vector<Eigen::MatrixXd>(history.signals.size(), Eigen::MatrixXd(held, columns)),
-                       .later = Eigen::MatrixXd(signals, columns)};
+                       .later = Eigen::MatrixXd(signals, columns),
+                       .states = Eigen::MatrixXd(modes.empty() ? 0 : modes.front().state.size(), columns)};
+  Index next = 0;
+  for (const FreeMode& mode : modes) {
+    motion.states.col(next++) = mode.state.real();
+    if (ColumnsOf(mode) == 2) motion.states.col(next++) = mode.state.imag();
+  }
   for (Index s = 0; s < signals; ++s) {
     Eigen::MatrixXd& first = motion.first[static_cast<std::size_t>(s)];
     Index column = 0;
@@ -124,11 +133,10 @@ FreeMotion FreeMotionOf(const MeasuredHistory& history, const CondensedModel& mo
   return motion;
 }
 
-void AddStart(const MeasuredHistory& history, const CondensedModel& model, const Eigen::VectorXd& weights, Index stride,
-              Eigen::MatrixXd& modelled) {
+Eigen::VectorXd StartOf(const MeasuredHistory& history, const FreeMotion& motion, const Eigen::VectorXd& weights,
+                        Index stride, const Eigen::MatrixXd& modelled) {
   // Of normalised columns: motions that no signal tells apart share what there is.
   constexpr double kRidge = 1e-9;
-  const FreeMotion motion = FreeMotionOf(history, model);
   const Index columns = motion.later.cols();
   const Index held = motion.first.empty() ? 0 : motion.first.front().rows();
   const Index rows = (history.count + stride - 1) / stride;
@@ -155,7 +163,14 @@ void AddStart(const MeasuredHistory& history, const CondensedModel& model, const
   const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });
   Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
   scaled.diagonal().array() += kRidge;
-  const Eigen::VectorXd start = scale.cwiseProduct(Solved(scaled, Eigen::VectorXd(scale.cwiseProduct(right))));
+  return scale.cwiseProduct(Solved(scaled, Eigen::VectorXd(scale.cwiseProduct(right))));
+}
+
+void AddStart(const MeasuredHistory& history, const CondensedModel& model, const Eigen::VectorXd& weights, Index stride,
+              Eigen::MatrixXd& modelled) {
+  const FreeMotion motion = FreeMotionOf(history, model);
+  const Eigen::VectorXd start = StartOf(history, motion, weights, stride, modelled);
+  const Index held = motion.first.empty() ? 0 : motion.first.front().rows();
   for (Index s = 0; s < modelled.cols(); ++s) {
     modelled.col(s).head(held) += motion.first[static_cast<std::size_t>(s)] * start;
     modelled.col(s).tail(history.count - held).array() += motion.later.row(s).dot(start);

@@ -18,11 +18,18 @@ struct FreeMotion {
   std::vector<Eigen::MatrixXd> first;
   /// signals x columns, of every later sample: what the mean took from it.
   Eigen::MatrixXd later;
+  /// [s s' x] x columns: the state at the record's first sample.
+  Eigen::MatrixXd states;
   /// Of a signal, at these samples of the window.
   Eigen::MatrixXd Rows(Eigen::Index signal, Eigen::Index count, Eigen::Index stride) const;
 };
 
 FreeMotion FreeMotionOf(const MeasuredHistory& history, const CondensedModel& model);
+
+/// Of each column, the free motion that brings every `stride`-th sample of `modelled` nearest to the measurement; as of
+/// AddStart().
+Eigen::VectorXd StartOf(const MeasuredHistory& history, const FreeMotion& motion, const Eigen::VectorXd& weights,
+                        Eigen::Index stride, const Eigen::MatrixXd& modelled);
 
 /// Adds to `modelled`, samples of the window x signals, the free motion that brings every `stride`-th sample nearest to
 /// the measurement; `weights`: of each signal's squares.

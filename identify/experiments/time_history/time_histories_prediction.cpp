@@ -180,7 +180,7 @@ std::vector<HistoryMisfit> Answers(std::vector<MeasuredHistory> histories, const
     entry.update(EngineJson(answer->by, options.error));
     results.json["histories"].push_back(entry);
     results.text += FitEngineText(history.name, answer->by);
-    modelled.push_back(reduced.WithStart(modelled.size(), values, std::move(answer->modelled)));
+    modelled.push_back(reduced.WithStart(modelled.size(), values, answer->modelled));
   }
   if (modelled.size() < histories.size())
     hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(histories.size()) +

@@ -33,8 +33,12 @@ using Json = nlohmann::ordered_json;
 /// HistoryMisfit::misfit, where the cost has one. Noise of posts is allowed for as in FitResult::Misfit().
 void AddDeviations(const HistoryResiduals& residuals, const FitResult& fit,
                    const std::vector<Eigen::MatrixXd>& modelled, std::vector<HistoryMisfit>& misfits) {
-  const std::vector<Eigen::VectorXd> by_posts =
-      fit.is_input_noise_implausible ? std::vector<Eigen::VectorXd>() : residuals.ByPostNoise(fit.values);
+  std::vector<Eigen::VectorXd> by_posts;
+  try {
+    if (fit.input_noise_squares > 0) by_posts = residuals.ByPostNoise(fit.values);
+  } catch (const std::runtime_error&) {
+    // Noise with which the motion cannot be computed.
+  }
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < modelled.size(); ++h)
     for (std::size_t s = 0; s < residuals.histories()[h].signals.size(); ++s, ++misfit) {
@@ -183,7 +187,7 @@ Predictions PredictAll(const TimeHistories& experiment, const Subject& subject, 
       Eigen::MatrixXd reduced = residuals.Modelled(fit.values).front();
       EngineHistory answer = SimulateBy({.error = error}, history, subject.vehicle(), fit.values).value();
       out.histories.push_back(history);
-      out.modelled.push_back(residuals.WithStart(0, fit.values, std::move(answer.modelled)));
+      out.modelled.push_back(residuals.WithStart(0, fit.values, answer.modelled));
       out.by.push_back(std::move(answer.by));
       out.reduced.push_back(std::move(reduced));
       out.steps_s.push_back(residuals.Steps().front());

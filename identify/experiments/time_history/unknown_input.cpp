@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "analysis/signals/deviation.h"
 #include "analysis/signals/uneven_samples.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/mode_times.h"
@@ -33,49 +33,84 @@ double SquaresMissed(std::span<const double> input, std::size_t first, std::size
   return squares;
 }
 
-/// Rms at places spread over the record; of one that is too short, the input's own.
-double ErrorOfBridging(std::span<const double> input, std::size_t count) {
+/// Rms at places about a gap, which none of them touches; infinite where there is no room.
+double ErrorOfBridging(std::span<const double> input, std::size_t gap, std::size_t count, std::size_t reach) {
   constexpr std::size_t kPlaces = 100;
-  if (input.size() < 2 * (count + 2 * kNeighbours)) return DeviationOf(input);
-  const std::size_t last = input.size() - count - kNeighbours;
-  const std::size_t apart = std::max<std::size_t>(1, (last - kNeighbours) / kPlaces);
+  const std::size_t from = std::max(kNeighbours, gap > reach ? gap - reach : 0);
+  const std::size_t to = std::min(input.size(), gap + count + reach);
+  const std::size_t apart = std::max<std::size_t>(1, (to - from) / kPlaces);
   double squares = 0;
   std::size_t samples = 0;
-  for (std::size_t first = kNeighbours; first <= last; first += apart, samples += count)
+  for (std::size_t first = from; first + count + kNeighbours <= to; first += apart) {
+    const bool touches = first < gap + count + kNeighbours && gap < first + count + kNeighbours;
+    if (touches) continue;
     squares += SquaresMissed(input, first, count);
-  return std::sqrt(squares / static_cast<double>(samples));
+    samples += count;
+  }
+  return samples > 0 ? std::sqrt(squares / static_cast<double>(samples)) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<BridgedGap> Merged(std::vector<BridgedGap> gaps) {
+  std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.from_s < b.from_s; });
+  std::vector<BridgedGap> merged;
+  for (const BridgedGap& gap : gaps)
+    if (!merged.empty() && gap.from_s <= merged.back().to_s)
+      merged.back().to_s = std::max(merged.back().to_s, gap.to_s);
+    else merged.push_back(gap);
+  return merged;
+}
+
+double SettlingTimeOf(const Vehicle& vehicle, const MeasuredHistory& history) {
+  constexpr double kLongest_s = 10;
+  double settled_s = 0;
+  for (const Mode& mode : ModesOf(CondensedVehicle(vehicle).At(history.setting.At(vehicle.ParameterValues())))) {
+    const double one = SettlingTime_s(mode);
+    // Also of modes without damping.
+    const bool ends = one >= 0 && one < kLongest_s;
+    settled_s = std::max(settled_s, ends ? one : kLongest_s);
+  }
+  return settled_s;
 }
 
 }  // namespace
 
-std::vector<BridgedGap> VisibleGaps(const TimeRecording& recording, std::span<const double> input, double noise_sd,
+std::vector<BridgedGap> VisibleGaps(const TimeRecording& recording, std::span<const double> input, double unseen,
                                     const std::vector<BridgedGap>& gaps) {
-  constexpr double kDeviations = 3;
-  constexpr double kShare = 0.01;
-  const double unseen = std::max(kDeviations * noise_sd, kShare * DeviationOf(input));
+  constexpr double kReach_s = 2;
+  constexpr double kReachGaps = 25;
   std::vector<BridgedGap> visible;
   for (const BridgedGap& gap : gaps) {
-    const long samples = std::lround((gap.to_s - gap.from_s) / recording.step_s) - 1;
-    if (samples > 0 && ErrorOfBridging(input, static_cast<std::size_t>(samples)) > unseen) visible.push_back(gap);
+    const auto before = std::lround((gap.from_s - recording.start_s) / recording.step_s);
+    const auto behind = std::lround((gap.to_s - recording.start_s) / recording.step_s);
+    if (behind - before < 2) continue;
+    const bool is_at_end = before < 0 || behind >= std::ssize(input);
+    const auto count = static_cast<std::size_t>(behind - before - 1);
+    const double reach = std::max(kReach_s / recording.step_s, kReachGaps * static_cast<double>(count));
+    if (is_at_end ||
+        ErrorOfBridging(input, static_cast<std::size_t>(before + 1), count, static_cast<std::size_t>(reach)) > unseen)
+      visible.push_back(gap);
   }
   return visible;
 }
 
-double LeaveOutMotion(const Vehicle& vehicle, const std::vector<BridgedGap>& gaps, MeasuredHistory& history) {
-  constexpr double kLongest_s = 10;
-  const CondensedModel model = CondensedVehicle(vehicle).At(history.setting.At(vehicle.ParameterValues()));
-  double settled_s = 0;
-  for (const Mode& mode : ModesOf(model))
-    if (const double one = SettlingTime_s(mode); one > settled_s) settled_s = std::min(one, kLongest_s);
-  const double rounding_s = 1e-6 / history.rate_Hz;
-  for (MeasuredSignal& signal : history.signals)
-    for (Eigen::Index k = 0; k < history.count; ++k) {
-      const auto is_hidden = [&, t = history.TimeAt(k)](const BridgedGap& gap) {
-        return t > gap.from_s + rounding_s && t < gap.to_s + settled_s;
-      };
-      if (std::any_of(gaps.begin(), gaps.end(), is_hidden)) signal.LeaveOut(k);
-    }
-  return settled_s;
+UnknownMotion LeaveOutMotion(const Vehicle& vehicle, std::vector<BridgedGap> gaps, MeasuredHistory& history) {
+  UnknownMotion unknown{.settled_s = SettlingTimeOf(vehicle, history)};
+  // Samples between times, of the window.
+  const auto sample = [&](double t) { return (t - history.TimeAt(0)) * history.rate_Hz; };
+  constexpr double kRounding = 1e-6;
+  Eigen::Index next = 0;
+  for (const BridgedGap& gap : Merged(std::move(gaps))) {
+    const auto first = std::max(next, static_cast<Eigen::Index>(std::floor(sample(gap.from_s) + kRounding)) + 1);
+    const auto end =
+        std::min(history.count, static_cast<Eigen::Index>(std::ceil(sample(gap.to_s + unknown.settled_s) - kRounding)));
+    if (end <= first) continue;
+    unknown.gaps.push_back(gap);
+    unknown.samples += end - first;
+    for (MeasuredSignal& signal : history.signals)
+      for (Eigen::Index k = first; k < end; ++k) signal.LeaveOut(k);
+    next = end;
+  }
+  return unknown;
 }
 
 }  // namespace fourpost

@@ -59,6 +59,7 @@ TEST(RecordedUnit, StandsBehindANumber) {
   EXPECT_DOUBLE_EQ(ParseRecordedQuantity(" 2e-3in ").value().si, 5.08e-5);
   EXPECT_EQ(ParseRecordedQuantity("5 m/s2").value().unit.dimension, kAcceleration);
   EXPECT_EQ(ParseRecordedQuantity("3").value().si, 3);
+  EXPECT_EQ(ParseRecordedQuantity("0.01 1/s").value().si, 0.01);
   for (const char* text : {"", "g", "1 lb", "1 2 mm", "inf m"}) EXPECT_FALSE(ParseRecordedQuantity(text)) << text;
 }
 

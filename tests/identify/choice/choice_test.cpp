@@ -297,8 +297,8 @@ SettingsFile TwoKnobs() {
   return file;
 }
 
-EngineCheck CheckOf(std::size_t row, double difference) {
-  return {.row = row, .objective = 0, .by_spectra = 0.1, .by_engine = 0.1 + difference};
+EngineCheck CheckOf(std::size_t row, double log_factor) {
+  return {.row = row, .objective = 0, .by_spectra = 0.1, .by_engine = 1.1 * std::exp(log_factor) - 1};
 }
 
 /// Between settings x apart from the present one.
@@ -310,11 +310,11 @@ double Covariance(double s, double t) {
 TEST(EngineErrors, AreThoseComparedAndGoOnBeyond) {
   const std::vector<Setting> settings = {{5, 5}, {8, 5}, {9, 5}, {2, 5}, {6, 5}};
   const MatrixXd mean = EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03)}, 1).at(0);
-  EXPECT_EQ(mean(0, 0), 0);
-  EXPECT_NEAR(mean(1, 0), 0.03, 1e-12);
+  EXPECT_EQ(mean(0, 0), 1);
+  EXPECT_NEAR(mean(1, 0), std::exp(0.03), 1e-12);
   // Closed form of one comparison.
   for (const auto& [row, x] : {std::pair(2, 0.4), std::pair(3, -0.3), std::pair(4, 0.1)})
-    EXPECT_NEAR(mean(row, 0), 0.03 * Covariance(0.3, x) / Covariance(0.3, 0.3), 1e-12);
+    EXPECT_NEAR(std::log(mean(row, 0)), 0.03 * Covariance(0.3, x) / Covariance(0.3, 0.3), 1e-12);
   EXPECT_TRUE(EngineErrors(TwoKnobs(), settings, 0, {}, 1).empty());
 }
 
@@ -322,7 +322,8 @@ TEST(EngineErrors, AreThoseComparedAndGoOnBeyond) {
 TEST(EngineErrors, AreInDoubtWhereNothingWasCompared) {
   const std::vector<Setting> settings = {{5, 5}, {8, 5}, {7, 5}};
   constexpr Index kDraws = 40000;
-  const MatrixXd draws = EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03), CheckOf(1, 0.03)}, kDraws).at(0);
+  const MatrixXd draws =
+      EngineErrors(TwoKnobs(), settings, 0, {CheckOf(1, 0.03), CheckOf(1, 0.03)}, kDraws).at(0).array().log();
   EXPECT_EQ(draws.row(0).cwiseAbs().maxCoeff(), 0);
   EXPECT_NEAR((draws.row(1).array() - 0.03).abs().maxCoeff(), 0, 1e-9);
   const double own = Covariance(0.3, 0.3);

@@ -40,7 +40,7 @@ TEST(CoveredRanges, AreNotLeftWithinATenthOrAThirdOfAnOctave) {
   EXPECT_THAT(LeavingBy(CoveredQuantity::kBumpSpeed, "front", 0, 0.329).items(), IsEmpty());
   EXPECT_THAT(LeavingBy(CoveredQuantity::kSpringTravel, "coil", -0.0249, 0.0349).items(), IsEmpty());
   EXPECT_THAT(LeavingBy(CoveredQuantity::kTyreLoad, "tyre", 2801, 5199).items(), IsEmpty());
-  EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.76, 24.9).items(), IsEmpty());
+  EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.81, 23.9).items(), IsEmpty());
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostAmplitude, "posts", 0.0019, 0.0109).items(), IsEmpty());
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostAmplitude, "posts", 0, 0.0109).items(), IsEmpty());
 }
@@ -54,8 +54,8 @@ TEST(CoveredRanges, AreLeftBeyond) {
               Reports(kTravelsNotCovered, 0, {"coil", "-25.1", "30.0 mm"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kTyreLoad, "tyre", 4000, 5201),
               Reports(kLoadsNotCovered, 0, {"tyre", "5201 N", "5000 N"}));
-  EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.73, 10),
-              Reports(kFrequenciesNotCovered, 0, {"0.730", "20.0 Hz"}));
+  EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.79, 10),
+              Reports(kFrequenciesNotCovered, 0, {"0.790", "20.0 Hz"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostAmplitude, "posts", 0.001, 0.01),
               Reports(kAmplitudesNotCovered, 0, {"1.00", "10.0 mm"}));
 }

@@ -230,7 +230,7 @@ TEST_F(HistoryDataTest, TakesTheWeightFromMotionThatFollowsAnUnknownInput) {
   const auto end = static_cast<std::size_t>(1080 + 500 * settled_s);
   EXPECT_TRUE(is_unknown[end - 1]);
   EXPECT_FALSE(is_unknown[end + 1]);
-  EXPECT_THAT(diagnostics_, Reports(kInputUnknown, 3, {"'ground' of 'sweep'", "between 1.998 s and 2.16 s"}));
+  EXPECT_THAT(diagnostics_, Reports(kInputUnknown, 3, {"'ground' of 'sweep'", "from 1.998 s to 2.16 s"}));
 }
 
 TEST_F(HistoryDataTest, RefusesARecordingWithoutAnyMotionThatIsKnown) {
@@ -250,7 +250,7 @@ TEST_F(HistoryDataTest, TakesTheWeightFromWhatALoggerHeld) {
   ASSERT_FALSE(is_unknown.empty());
   EXPECT_FALSE(is_unknown[999]);
   EXPECT_EQ(std::count(is_unknown.begin() + 1000, is_unknown.begin() + 1020, 1), 20);
-  EXPECT_THAT(diagnostics_, Reports(kLoggerHeld, 1003, {"from 1.998 s to 2.04 s", "20 samples"}));
+  EXPECT_THAT(diagnostics_, Reports(kChannelHeld, 1003, {"'z_ground'", "from 1.998 s to 2.04 s", "20 samples"}));
 }
 
 TEST_F(HistoryDataTest, ReadsNoiseInUnitsOfRecordings) {
