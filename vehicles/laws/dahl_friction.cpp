@@ -21,8 +21,7 @@ double DahlFriction::Rate(double v, double at_force) const {
 
 void DahlFriction::Validate() const {
   RequireOption(force >= 0 && std::isfinite(force), "DahlFriction: force", force, "finite and not negative");
-  RequireOption(stiffness > 0 && std::isfinite(stiffness), "DahlFriction: stiffness", stiffness,
-                "finite and positive");
+  RequireOption(stiffness > 0 && std::isfinite(stiffness), "DahlFriction: stiffness", stiffness, "finite and positive");
 }
 
 }  // namespace fourpost

@@ -54,8 +54,8 @@ TEST(DahlFriction, HasTheSlopesOfItsDifferences) {
       const double by_extension =
           (kSeal.After(start, stroke + kStep * kLength).force - kSeal.After(start, stroke - kStep * kLength).force) /
           (2 * kStep * kLength);
-      const double by_force = (kSeal.After(start + kStep, stroke).force - kSeal.After(start - kStep, stroke).force) /
-                              (2 * kStep);
+      const double by_force =
+          (kSeal.After(start + kStep, stroke).force - kSeal.After(start - kStep, stroke).force) / (2 * kStep);
       EXPECT_NEAR(found.by_extension, by_extension, 1e-8 * kSeal.stiffness);
       EXPECT_NEAR(found.by_force, by_force, 1e-7);
       EXPECT_GE(found.by_extension, 0);
