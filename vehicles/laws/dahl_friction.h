@@ -1,5 +1,7 @@
 #pragma once
 
+#include <complex>
+
 namespace fourpost {
 
 /// Dry friction that gives way elastically before it slides (P. Dahl, A Solid Friction Model, Aerospace Corporation
@@ -27,6 +29,12 @@ struct DahlFriction {
 
   /// F' [N/s] at extension rate v [m/s].
   double Rate(double v, double at_force) const;
+
+  /// First harmonic of the tension over that of a sinusoidal extension of this amplitude A [N/m]; with a = stiffness A
+  /// / force
+  ///   force / A [2 I_1(a) / cosh a + 4 i / pi (1 - tanh(a) / a)],   I_1: modified Bessel function
+  /// whose imaginary part is the loss of a cycle over pi A^2. The stiffness for no amplitude.
+  std::complex<double> Gain(double amplitude) const;
 
   /// Positive stiffness, force not negative, both finite; else throws std::invalid_argument naming field, value and
   /// bound.

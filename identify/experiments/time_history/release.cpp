@@ -35,8 +35,15 @@ Statics StaticsOf(const CondensedModel& model, const std::vector<Port>& ports, c
     std::array<double, 1> remainder = {0};
     std::array<double, 1> slope = {0};
     std::array<double, 1> by_rate = {0};
-    Remainders(port.law, extension, rate, remainder);
-    RemainderSlopes(port.law, extension, rate, slope, by_rate);
+    if (const auto* friction = std::get_if<FrictionRemainder>(&port.law)) {
+      // It came there in one stroke.
+      const DahlFriction::Stroke stroke = friction->law.After(0, extension[0]);
+      remainder[0] = stroke.force;
+      slope[0] = stroke.by_extension;
+    } else {
+      Remainders(port.law, extension, rate, remainder);
+      RemainderSlopes(port.law, extension, rate, slope, by_rate);
+    }
     out.force += remainder[0] * direction;
     out.stiffness += slope[0] * direction * direction.transpose();
   }

@@ -66,6 +66,26 @@ TEST(BenchDamper, AddsWhatActsBesideIt) {
   }
 }
 
+// Dahl's closed loop of a stroke from -A to A: F tanh(stiffness A / F) where it turns round.
+TEST(BenchDamper, RubsAlongTheMeasuredPath) {
+  for (const char* law : {R"(<linear rate="0 N*s/m"/>)"}) {
+    const Vehicle vehicle = VehicleOf(Bench(kRate + R"(<fp:damper name="d")" + kEnds + law +
+                                            R"(<friction force="60 N" stiffness="200 N/mm"/></fp:damper>)"));
+    for (const double amplitude : {1e-4, 3e-4, 0.01}) {
+      const BenchMotion motion = SineMotion(amplitude, 2);
+      const std::vector<double> tensions = Tensions(vehicle, motion, {1500});
+      const double turning = 60 * std::tanh(amplitude * 2e5 / 60);
+      double most = 0;
+      // After strokes that forget the start but for exp(-4 A stiffness / F) of it per cycle.
+      for (std::size_t k = 251; k < tensions.size(); ++k) most = std::max(most, tensions[k]);
+      EXPECT_NEAR(most, turning, amplitude > 2e-4 ? 0.01 * turning : 0.3 * turning);
+      // At mid-stroke downwards, where a law of the speed has its greatest force.
+      const double middle = -(60 - (60 + turning) * std::exp(-amplitude * 2e5 / 60));
+      EXPECT_NEAR(tensions[375], middle, amplitude > 2e-4 ? 0.6 : 6);
+    }
+  }
+}
+
 TEST(BenchDamper, MayStandOnASeriesSpring) {
   const Vehicle vehicle = VehicleOf(Bench(kRate + R"(<fp:damper name="d")" + kEnds +
                                           R"(<linear rate="$c"/><series stiffness="400 N/mm"/></fp:damper>)"));

@@ -1,11 +1,15 @@
 #include "vehicles/laws/dahl_friction.h"
 
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "tests/rounding.h"
+#include "vehicles/laws/dahl_cycle.h"
 
 namespace fourpost::dahl_friction_test {
 namespace {
@@ -61,6 +65,22 @@ TEST(DahlFriction, HasTheSlopesOfItsDifferences) {
       EXPECT_GE(found.by_extension, 0);
       EXPECT_LE(found.by_extension, 2 * kSeal.stiffness);
     }
+}
+
+// Against the exact cycle: of samples that the trapezoidal rule takes to the second order.
+TEST(DahlFriction, HasTheGainOfItsCycle) {
+  constexpr int kSamples = 20000;
+  for (const double amplitude : {1e-5 * kLength, 0.01 * kLength, kLength, 10 * kLength, 59 * kLength, 61 * kLength}) {
+    std::vector<double> extension;
+    for (int k = 0; k < kSamples; ++k) extension.push_back(amplitude * std::cos(2 * std::numbers::pi * k / kSamples));
+    const DahlCycle cycle(kSeal, extension);
+    std::complex<double> gain = 0;
+    for (int k = 0; k < kSamples; ++k)
+      gain += cycle.forces()[static_cast<std::size_t>(k)] *
+              std::polar(2.0 / kSamples / amplitude, -2 * std::numbers::pi * k / kSamples);
+    EXPECT_LT(std::abs(kSeal.Gain(amplitude) - gain), 2e-6 * std::abs(gain)) << amplitude / kLength;
+  }
+  EXPECT_EQ(kSeal.Gain(0), kSeal.stiffness);
 }
 
 TEST(DahlFriction, WithoutForceIsNothing) {
