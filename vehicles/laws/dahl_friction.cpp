@@ -3,28 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/numerics/bessel.h"
 #include "analysis/text/option_check.h"
 
 namespace fourpost {
-namespace {
-
-using std::numbers::pi;
-
-/// exp(-a) I_1(a), a >= 0, to 1e-8: by its integral over an angle, the trapezoidal rule of which converges
-/// exponentially, or for large a by its asymptotic series (M. Abramowitz and I. Stegun, 9.6.19 and 9.7.1).
-double ScaledBessel(double a) {
-  constexpr double kLarge = 60;
-  if (a > kLarge) return (1 - (3 + (15.0 / 2 + 105.0 / 2 / (8 * a)) / (8 * a)) / (8 * a)) / std::sqrt(2 * pi * a);
-  const int half = 12 + static_cast<int>(std::ceil(4 * std::sqrt(a)));
-  double sum = 0;
-  for (int k = 0; k < half; ++k) {
-    const double cosine = std::cos(pi * (k + 0.5) / half);
-    sum += cosine * std::exp(a * (cosine - 1));
-  }
-  return sum / half;
-}
-
-}  // namespace
 
 DahlFriction::Stroke DahlFriction::After(double force_at_start, double extension) const {
   if (force == 0) return {};
@@ -40,13 +22,14 @@ double DahlFriction::Rate(double v, double at_force) const {
 }
 
 std::complex<double> DahlFriction::Gain(double amplitude) const {
+  using std::numbers::pi;
   if (force == 0) return 0;
   const double a = stiffness * amplitude / force;
   // Of the Taylor series what counts, where the closed form cancels.
   constexpr double kFew = 1e-3;
   if (a < kFew) return {stiffness * (1 - 3 * a * a / 8), stiffness * 4 * a / (3 * pi)};
   // exp(-a) / cosh(a) would be 0 / infinity for a large a.
-  const double in_phase = 2 * ScaledBessel(a) * (1 + std::tanh(a));
+  const double in_phase = 2 * ScaledBesselI1(a) * (1 + std::tanh(a));
   return force / amplitude * std::complex<double>(in_phase, 4 / pi * (1 - std::tanh(a) / a));
 }
 

@@ -68,21 +68,21 @@ TEST(BenchDamper, AddsWhatActsBesideIt) {
 
 // Dahl's closed loop of a stroke from -A to A: F tanh(stiffness A / F) where it turns round.
 TEST(BenchDamper, RubsAlongTheMeasuredPath) {
-  for (const char* law : {R"(<linear rate="0 N*s/m"/>)"}) {
-    const Vehicle vehicle = VehicleOf(Bench(kRate + R"(<fp:damper name="d")" + kEnds + law +
-                                            R"(<friction force="60 N" stiffness="200 N/mm"/></fp:damper>)"));
-    for (const double amplitude : {1e-4, 3e-4, 0.01}) {
-      const BenchMotion motion = SineMotion(amplitude, 2);
-      const std::vector<double> tensions = Tensions(vehicle, motion, {1500});
-      const double turning = 60 * std::tanh(amplitude * 2e5 / 60);
-      double most = 0;
-      // After strokes that forget the start but for exp(-4 A stiffness / F) of it per cycle.
-      for (std::size_t k = 251; k < tensions.size(); ++k) most = std::max(most, tensions[k]);
-      EXPECT_NEAR(most, turning, amplitude > 2e-4 ? 0.01 * turning : 0.3 * turning);
-      // At mid-stroke downwards, where a law of the speed has its greatest force.
-      const double middle = -(60 - (60 + turning) * std::exp(-amplitude * 2e5 / 60));
-      EXPECT_NEAR(tensions[375], middle, amplitude > 2e-4 ? 0.6 : 6);
-    }
+  const Vehicle vehicle =
+      VehicleOf(Bench(kRate + R"(<fp:damper name="d")" + kEnds +
+                      R"(<linear rate="$c"/><friction force="60 N" stiffness="200 N/mm"/></fp:damper>)"));
+  for (const double amplitude : {3e-4, 0.01}) {
+    const std::vector<double> tensions = Tensions(vehicle, SineMotion(amplitude, 2), {0});
+    const double turning = 60 * std::tanh(amplitude * 2e5 / 60);
+    // The first cycle, which ends at sample 250, forgets where it began: exp(-4 A stiffness / F) of 60 N, 1.1 N at 3e-4
+    // m.
+    const double forgotten = 60 * std::exp(-4 * amplitude * 2e5 / 60);
+    double most = 0;
+    for (std::size_t k = 251; k < tensions.size(); ++k) most = std::max(most, tensions[k]);
+    EXPECT_NEAR(most, turning, forgotten + 1e-3);
+    // At mid-stroke downwards.
+    const double middle = -(60 - (60 + turning) * std::exp(-amplitude * 2e5 / 60));
+    EXPECT_NEAR(tensions[375], middle, forgotten + 1e-3);
   }
 }
 

@@ -26,7 +26,7 @@ Vehicle RubbingQuarterCar() {
 }
 
 /// Sticks, begins to slide, and slides.
-const Excitation kSines{{1.2, 1.2, 1.2, 3, 6, 12, 12}, {1e-4, 1e-3, 0.02, 2e-3, 4e-3, 2e-4, 4e-3}, {1}};
+const Excitation kSines{{1.2, 1.2, 3, 12, 12}, {1e-3, 0.02, 2e-3, 2e-4, 4e-3}, {1}};
 
 TEST(DahlBalance, AgreesWithBothMarches) {
   Prepared prepared(RubbingQuarterCar());
@@ -34,7 +34,7 @@ TEST(DahlBalance, AgreesWithBothMarches) {
   EXPECT_THAT(balanced.unconverged_Hz, testing::IsEmpty());
   ExpectAgreement(balanced.response, prepared.Marched(kSines, 512), kGain_dB, kPhase_deg);
   const MarchedResponse reduced =
-      MarchReduced(prepared.model, RigViewOf(prepared.vehicle), kSines, {.tolerance = 1e-5, .longest_s = 120});
+      MarchReduced(prepared.model, RigViewOf(prepared.vehicle), kSines, {.tolerance = 1e-4});
   EXPECT_TRUE(reduced.unsteady.empty());
   ExpectAgreement(balanced.response, reduced.response, kGain_dB, kPhase_deg);
 }
@@ -75,7 +75,7 @@ TEST(DahlBalance, OfTheFullSystemAgreesWithTheMarchOfALinkageCar) {
   ExpectAgreement(full.response, prepared.Marched(excitation, 256), kGain_dB, kPhase_deg);
 }
 
-// Against central differences of balances with more harmonics than these need.
+// Against central differences of balances with as many harmonics.
 TEST(DahlBalance, HasTheDerivativesOfItsDifferences) {
   Vehicle vehicle = RubbingQuarterCar();
   const auto add = [&](const char* name, double value, Scalar& number) {
@@ -94,14 +94,13 @@ TEST(DahlBalance, HasTheDerivativesOfItsDifferences) {
   const std::vector<double> values = vehicle.ParameterValues();
   const Excitation sines{{1.2, 3, 12}, {1e-3, 3e-3, 1e-3}, {1}};
   const std::vector<std::size_t> seals = {count - 2, count - 1};
-  const ResponseSensitivity found =
-      SolveBalanceSensitivity(condensed, values, seals, sines, HarmonicBalanceOptions{.error = 1e-5});
-  const HarmonicBalanceOptions fine{.error = 1e-7, .most_harmonics = 300, .tolerance = 1e-11, .max_iterations = 200};
+  const HarmonicBalanceOptions options{.few_harmonics = true, .tolerance = 1e-10, .max_iterations = 200};
+  const ResponseSensitivity found = SolveBalanceSensitivity(condensed, values, seals, sines, options);
   for (std::size_t p = 0; p < seals.size(); ++p) {
     const auto at = [&](double share) {
       std::vector<double> moved = values;
       moved[seals[p]] *= 1 + share;
-      return SolveHarmonicBalance(condensed.At(moved), vehicle.sensors, sines, fine).response;
+      return SolveHarmonicBalance(condensed.At(moved), vehicle.sensors, sines, options).response;
     };
     constexpr double kShare = 1e-3;
     const FrequencyResponse above = at(kShare);
@@ -111,8 +110,8 @@ TEST(DahlBalance, HasTheDerivativesOfItsDifferences) {
         const std::complex<double> difference =
             (above.channels[c].response[i] - below.channels[c].response[i]) / (2 * kShare * values[seals[p]]);
         const std::complex<double> change = found.by_change[p].channels[c].response[i];
-        // As SolveBalanceSensitivity promises.
-        EXPECT_LT(std::abs(change - difference), 0.01 * std::abs(difference))
+        // Of the differences, the square of their share.
+        EXPECT_LT(std::abs(change - difference), 1e-4 * std::abs(difference))
             << vehicle.parameters[seals[p]].name << ", " << above.channels[c].name << ", " << sines.frequency_Hz[i];
       }
   }
