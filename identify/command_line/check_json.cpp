@@ -193,9 +193,9 @@ Json Struts(const Vehicle& vehicle, const VehicleSummary& summary) {
   return struts;
 }
 
-Json Modes(const VehicleSummary& summary) {
+Json Modes(const std::vector<Mode>& of) {
   Json modes = Json::array();
-  for (const Mode& mode : summary.modes) {
+  for (const Mode& mode : of) {
     Json energy = Json::object();
     for (const MotionShare& part : mode.energy) energy[part.motion] = part.share;
     modes.push_back({{"name", mode.name},
@@ -258,7 +258,8 @@ Json Told(const CheckedVehicle& checked) {
           {"axles", AxlesJson(summary)},
           {"handling", Handling(summary.chassis)},
           {"struts", Struts(vehicle, summary)},
-          {"modes", Modes(summary)},
+          {"modes", Modes(summary.modes)},
+          {"stuck_modes", Modes(summary.stuck_modes)},
           {"stable", summary.IsStable()},
           {"posts", PostsJson(vehicle)},
           {"sensors", SensorsJson(vehicle)},

@@ -284,6 +284,16 @@ std::string Energy(const Mode& mode) {
   return text;
 }
 
+/// Of friction with a stiffness.
+std::string StuckModes(const VehicleSummary& summary) {
+  std::string modes;
+  for (const Mode& mode : summary.stuck_modes)
+    if (mode.frequency_Hz > 0 && mode.frequency_Hz <= kHighestMode_Hz)
+      modes += (modes.empty() ? "" : ", ") + mode.name + " " + Fixed(mode.frequency_Hz, 3) + " Hz";
+  if (summary.stuck_modes.empty()) return "";
+  return "These are the modes while friction slides. While it sticks: " + (modes.empty() ? "none" : modes) + ".\n";
+}
+
 std::string ModeRows(const VehicleSummary& summary) {
   TextTable table({"mode", "Hz", "damped", "damping ratio", "kinetic energy, %"});
   std::size_t above = 0;
@@ -301,7 +311,7 @@ std::string ModeRows(const VehicleSummary& summary) {
   }
   const std::string more =
       above == 0 ? "" : std::to_string(above) + " more above " + Rounded(kHighestMode_Hz, 2) + " Hz\n";
-  return table.Format() + more + '\n';
+  return table.Format() + more + StuckModes(summary) + '\n';
 }
 
 std::string Posts(const Vehicle& vehicle) {

@@ -136,6 +136,10 @@ inline const Finding kFrictionHolds{"friction-holds", Severity::kWarning,
                                     "fp:damper '{}' never slides in {}: its friction of {} holds, and its rates have "
                                     "no effect",
                                     "use about {} times the motion{}"};
+inline const Finding kFrictionSticks{"friction-sticks", Severity::kWarning,
+                                     "the friction of fp:damper '{}' never slides in {}: it acts like a spring of {}, "
+                                     "and its force of {} has nearly no effect",
+                                     "use about {} times the motion{}"};
 inline const Finding kStepNotConverged{"step-not-converged", Severity::kWarning,
                                        "halving the step down to {} still changes a channel by {} of its rms",
                                        "expect errors of that size"};

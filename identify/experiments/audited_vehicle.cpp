@@ -85,6 +85,8 @@ bool IsWithoutInnerForces(const CondensedModel& model, const Eigen::MatrixXd& ty
   constexpr double kGravity = 0.05;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots)
     if (std::abs(dashpot.direction.dot(motion)) > kStill) return false;
+  for (const CondensedModel::Rubbing& friction : model.rubbings)
+    if (std::abs(friction.direction.dot(motion)) > kStill) return false;
   const double of_tyres = motion.dot(tyres * motion);
   return of_tyres > 0 && std::abs(motion.dot(model.stiffness * motion) - of_tyres) < kGravity * of_tyres;
 }

@@ -48,7 +48,7 @@ bool FittedDampers::PutFrictionInside(const AdditionSource::Group& group, Vehicl
   std::vector<std::string> frictions;
   for (const std::size_t i : group) {
     const Damper* friction = FrictionBeside(dampers_[i]);
-    if (!friction || friction == dampers_[i].damper || friction->hydraulic) return false;
+    if (!friction || friction == dampers_[i].damper || friction->hydraulic || friction->law.Sticks()) return false;
     if (!friction->law.compression.IsZero() || !friction->law.rebound.IsZero()) return false;
     frictions.push_back(friction->name);
   }

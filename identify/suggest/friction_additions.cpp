@@ -27,7 +27,7 @@ class FrictionAdditions {
          dampers_.GroupsOf([&](const FittedDamper& d) { return has_mount(d) && is_behind(d) && !is_beside(d); }))
       MoveFrictionBesideMount(group);
     for (const auto& group : dampers_.GroupsOf([](const FittedDamper& d) {
-           return d.damper->law.friction && d.damper->law.friction->speed.parameter < 0;
+           return d.damper->law.friction && !d.damper->law.Sticks() && d.damper->law.friction->speed.parameter < 0;
          }))
       AddSpeed(group);
   }

@@ -11,7 +11,8 @@ class MountAdditions {
       : source_(source), dampers_(source), additions_(additions) {}
 
   void AddAll() {
-    for (const auto& group : dampers_.GroupsOf([](const FittedDamper& d) { return d.HasRate() && !d.HasMount(); })) {
+    for (const auto& group : dampers_.GroupsOf(
+             [](const FittedDamper& d) { return d.HasRate() && !d.HasMount() && !d.damper->law.Sticks(); })) {
       AddMount(group);
       AddMountOfFriction(group);
     }

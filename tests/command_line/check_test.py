@@ -48,6 +48,22 @@ class Check(ProgramTest):
         self.assertIn("300 kg in the tree, but factor times the value of fp:parameter 'm_body' is 310 kg", refused)
         self.assertIn('write "$m_body"', refused)
 
+    def test_prints_the_modes_while_friction_sticks(self):
+        car = (self.folder / QUARTER_CAR).read_text()
+        law = '<bilinear bump="$c_bump" rebound="$c_rebound"/>'
+        self.write("sticking.urdf", car.replace("../meshes", "meshes")
+                   .replace(law, law + '<friction force="60 N" stiffness="200 N/mm"/>'))
+        self.write("stiff.urdf", car.replace("../meshes", "meshes").replace('name="k" value="15 kN/m"', 'name="k" value="215 kN/m"')
+                   .replace('upper="40 kN/m"', 'upper="400 kN/m"'))
+        sticking, stiff = self.checked("sticking.urdf"), self.checked("stiff.urdf")
+        self.assertEqual(sticking["modes"], self.checked(QUARTER_CAR)["modes"])
+        self.assertEqual(self.checked(QUARTER_CAR)["stuck_modes"], [])
+        self.assertEqual(len(sticking["stuck_modes"]), 2)
+        for stuck, expected in zip(sticking["stuck_modes"], stiff["modes"]):
+            self.assertAlmostEqual(stuck["frequency_Hz"], expected["frequency_Hz"], delta=1e-9)
+        self.assertRegex(self.check("sticking.urdf").stdout,
+                         r"(?m)^These are the modes while friction slides\. While it sticks: [a-z ]+ [0-9.]+ Hz, ")
+
     def test_prints_loads_and_modes(self):
         check = self.checked(QUARTER_CAR)
         self.assertEqual(check["dof"], 2)

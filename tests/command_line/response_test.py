@@ -170,6 +170,13 @@ class Warnings(ResponseTest):
         for part in ("'damper'", " heave", " 5000 N ", "[friction-holds]"):
             self.assertIn(part, errors)
 
+    def test_of_friction_that_sticks_throughout(self):
+        damper = '<bilinear bump="$c_bump" rebound="$c_rebound"/>'
+        self.replace_in(CAR, damper, f'{damper}<friction force="5 kN" stiffness="200 N/mm"/>')
+        errors = self.respond(CAR, "--frequencies 1Hz:10Hz:5 --amplitude 1mm").stderr
+        for part in ("'damper'", " heave", " 200 kN/m", " 5000 N ", "[friction-sticks]"):
+            self.assertIn(part, errors)
+
     def test_of_a_tyre_that_pulls(self):
         sweep = f"{CAR} --frequencies 1Hz:16Hz:5 --amplitude 15mm --velocity 2m/s --acceleration 10g --engine reduced"
         self.assertNotIn("pulls on the ground", self.respond(sweep).stderr)

@@ -24,6 +24,15 @@ void Add(const std::vector<double>& forces, std::vector<double>& tensions) {
   for (std::size_t k = 0; k < tensions.size(); ++k) tensions[k] += forces[k];
 }
 
+/// Adds friction that sticks, from rest at the first sample.
+void AddFriction(const DahlFriction& law, const BenchMotion& motion, std::vector<double>& tensions) {
+  double force = 0;
+  for (std::size_t k = 1; k < motion.extension.size(); ++k) {
+    force = law.After(force, motion.extension[k] - motion.extension[k - 1]).force;
+    if (k % motion.steps == 0) tensions[k / motion.steps] += force;
+  }
+}
+
 /// Whether no chamber closes.
 bool AddHydraulic(const MountedHydraulicDamper& law, const BenchMotion& motion, std::vector<double>& tensions) {
   HydraulicStep step({.law = law, .share = {}}, motion.step_s);
@@ -43,6 +52,8 @@ bool AddHydraulic(const MountedHydraulicDamper& law, const BenchMotion& motion, 
 /// Whether no chamber closes.
 bool AddDamper(const Damper& damper, const BenchMotion& motion, std::span<const double> values, double tolerance,
                std::vector<double>& tensions) {
+  if (const std::optional<DahlFriction> friction = damper.law.StickingAt(values))
+    AddFriction(*friction, motion, tensions);
   const SpringLaw series = damper.series ? damper.series->At(values) : SpringLaw{};
   if (damper.hydraulic) return AddHydraulic({damper.HydraulicAt(values), series}, motion, tensions);
   if (damper.series) Add(SeriesForces({damper.law.At(values), series}, motion, tolerance), tensions);

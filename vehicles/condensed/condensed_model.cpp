@@ -9,4 +9,13 @@ std::vector<const CondensedModel::Dashpot*> CondensedModel::SeriesDampers() cons
   return series;
 }
 
+CondensedModel CondensedModel::Stuck() const {
+  CondensedModel stuck = *this;
+  stuck.rubbings.clear();
+  for (const Rubbing& friction : rubbings)
+    if (friction.law.force > 0)
+      stuck.stiffness += friction.law.stiffness * friction.direction * friction.direction.transpose();
+  return stuck;
+}
+
 }  // namespace fourpost

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "vehicles/laws/dahl_friction.h"
 #include "vehicles/laws/dashpot_law.h"
 #include "vehicles/laws/mounted_hydraulic_damper.h"
 #include "vehicles/laws/spring_law.h"
@@ -50,6 +51,13 @@ struct CondensedModel {
     std::size_t dashpot = 0;
   };
 
+  /// Friction that sticks; the matrices know nothing of it, as if it slid.
+  struct Rubbing {
+    /// n; derivative of the extension by s.
+    Eigen::VectorXd direction;
+    DahlFriction law;
+  };
+
   /// A tyre that cannot pull: its vertical force preload + stiffness e + damping e', e = direction . s + z the
   /// deflection and z its post, counts only where it is positive. The matrices include its linear law.
   struct Liftoff {
@@ -76,6 +84,7 @@ struct CondensedModel {
   std::vector<Dashpot> dashpots;
   std::vector<Stiffening> stiffenings;
   std::vector<Hydraulic> hydraulics;
+  std::vector<Rubbing> rubbings;
   std::vector<Liftoff> liftoffs;
 
   /// sensors x n, sensors x posts.
@@ -94,6 +103,9 @@ struct CondensedModel {
 
   /// The dashpots with a series spring, including those of hydraulic dampers, in file order.
   std::vector<const Dashpot*> SeriesDampers() const;
+
+  /// The same with springs in place of friction that sticks: its linearisation about rest.
+  CondensedModel Stuck() const;
 };
 
 }  // namespace fourpost

@@ -32,8 +32,10 @@ Eigen::MatrixXd SeriesDirections(const CondensedModel& model, const std::vector<
 LackingForces::LackingForces(Multibody& multibody, const CondensedModel& model)
     : multibody_(multibody), chart_(multibody) {
   const std::vector<Port> ports = PortsOf(model);
-  for (std::size_t j = 0; j < ports.size(); ++j)
+  for (std::size_t j = 0; j < ports.size(); ++j) {
     if (std::holds_alternative<HydraulicRemainder>(ports[j].law)) hydraulics_.push_back(j);
+    if (std::holds_alternative<FrictionRemainder>(ports[j].law)) frictions_.push_back(j);
+  }
   size_ = model.mass.rows() + static_cast<Index>(model.SeriesDampers().size());
   RequireCount("LackingForces: model", "coordinates", static_cast<std::size_t>(chart_.size()),
                static_cast<std::size_t>(model.mass.rows()));
@@ -41,14 +43,14 @@ LackingForces::LackingForces(Multibody& multibody, const CondensedModel& model)
   series_directions_ = SeriesDirections(model, series_);
   RequireCount("LackingForces: model", "states of dampers",
                static_cast<std::size_t>(multibody.state_size() - 2 * multibody.coordinate_count()),
-               series_.size() + 2 * hydraulics_.size());
+               series_.size() + 2 * hydraulics_.size() + frictions_.size());
 }
 
 /// z of the multibody system.
-Eigen::VectorXd LackingForces::States(const Eigen::VectorXd& of_series, const Eigen::VectorXd& of_pressures) const {
-  Eigen::VectorXd states(static_cast<Index>(series_.size()) + of_pressures.size());
+Eigen::VectorXd LackingForces::States(const Eigen::VectorXd& of_series, const Eigen::VectorXd& of_memory) const {
+  Eigen::VectorXd states(static_cast<Index>(series_.size()) + of_memory.size());
   for (std::size_t j = 0; j < series_.size(); ++j) states[static_cast<Index>(j)] = of_series[series_[j]];
-  states.tail(of_pressures.size()) = of_pressures;
+  states.tail(of_memory.size()) = of_memory;
   return states;
 }
 
@@ -57,10 +59,10 @@ Eigen::VectorXd LackingForces::States(const Eigen::VectorXd& of_series, const Ei
 Eigen::VectorXd LackingForces::At(double t, const Motion& motion) {
   const Index n = chart_.size();
   const Chart::Motion now = chart_.Follow(t, motion.position.head(n), motion.rate.head(n), motion.acceleration,
-                                          States(motion.position, motion.pressures));
-  // Rates of pressures follow from those, and move nothing.
+                                          States(motion.position, motion.memory));
+  // Rates of the memory follow from those, and move nothing.
   derivative_.resize(multibody_.state_size());
-  derivative_ << now.rate, now.acceleration, States(motion.rate, Eigen::VectorXd::Zero(motion.pressures.size()));
+  derivative_ << now.rate, now.acceleration, States(motion.rate, Eigen::VectorXd::Zero(motion.memory.size()));
   const Eigen::VectorXd residual = multibody_.Residual(derivative_);
   const Eigen::VectorXd missing = residual.segment(now.q.size(), series_directions_.cols());
   Eigen::VectorXd lacking = Eigen::VectorXd::Zero(size_);
@@ -69,9 +71,9 @@ Eigen::VectorXd LackingForces::At(double t, const Motion& motion) {
   return lacking;
 }
 
-Eigen::VectorXd LackingForces::HydraulicExtensions(const Eigen::VectorXd& position) {
+Eigen::VectorXd LackingForces::MemoryExtensions(const Eigen::VectorXd& position) {
   chart_.MoveTo(position.head(chart_.size()));
-  return multibody_.HydraulicExtensions();
+  return multibody_.MemoryExtensions();
 }
 
 }  // namespace fourpost

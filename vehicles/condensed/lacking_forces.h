@@ -27,8 +27,8 @@ class LackingForces {
     Eigen::VectorXd rate;
     /// s''.
     Eigen::VectorXd acceleration;
-    /// Of the hydraulic dampers, two each [MPa above rest].
-    Eigen::VectorXd pressures;
+    /// Of the hydraulic dampers, two each [MPa above rest], then of friction that sticks [of its sliding force].
+    Eigen::VectorXd memory;
   };
 
   /// Lacking force along dq/ds, at time t. Throws SimulationError if Simbody cannot evaluate the pose, FaultyInput if
@@ -38,15 +38,20 @@ class LackingForces {
   /// Sensor readings of the motion evaluated last.
   Eigen::VectorXd Readings() const { return multibody_.Readings(derivative_); }
 
-  /// Extension of each hydraulic damper with its mount, from the design pose, in this position [m].
-  Eigen::VectorXd HydraulicExtensions(const Eigen::VectorXd& position);
+  /// Extension of each hydraulic damper with its mount, then of each friction that sticks, from the design pose, in
+  /// this position [m].
+  Eigen::VectorXd MemoryExtensions(const Eigen::VectorXd& position);
 
   Eigen::Index size() const { return size_; }
   /// Indices in PortsOf() of the hydraulic dampers, in file order.
   const std::vector<std::size_t>& hydraulics() const { return hydraulics_; }
+  /// The same of friction that sticks.
+  const std::vector<std::size_t>& frictions() const { return frictions_; }
+  /// Whether any element has a memory.
+  bool HasMemory() const { return !hydraulics_.empty() || !frictions_.empty(); }
 
  private:
-  Eigen::VectorXd States(const Eigen::VectorXd& of_series, const Eigen::VectorXd& of_pressures) const;
+  Eigen::VectorXd States(const Eigen::VectorXd& of_series, const Eigen::VectorXd& of_memory) const;
 
   Multibody& multibody_;
   Chart chart_;
@@ -56,6 +61,7 @@ class LackingForces {
   /// Directions of the series dampers, n x their number.
   Eigen::MatrixXd series_directions_;
   std::vector<std::size_t> hydraulics_;
+  std::vector<std::size_t> frictions_;
   /// Derivative of [q u z].
   Eigen::VectorXd derivative_;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/laws/dahl_cycle.h"
 #include "vehicles/laws/hydraulic_cycle.h"
 
 namespace fourpost {
@@ -90,6 +91,9 @@ void MendJump(double at, double jump, Signal signal, std::span<double> slopes) {
 void Remainders(const HydraulicRemainder&, Signal, Signal, std::span<double> remainder) {
   std::fill(remainder.begin(), remainder.end(), kNan);
 }
+void Remainders(const FrictionRemainder&, Signal, Signal, std::span<double> remainder) {
+  std::fill(remainder.begin(), remainder.end(), kNan);
+}
 
 struct Slopes {
   double by_extension = 0;
@@ -103,6 +107,51 @@ Slopes SlopesOf(const LiftoffRemainder& port, double x, double v) {
 }
 
 Slopes SlopesOf(const HydraulicRemainder&, double, double) { return {kNan, kNan}; }
+Slopes SlopesOf(const FrictionRemainder&, double, double) { return {kNan, kNan}; }
+
+/// A cycle at its samples.
+struct Cycle {
+  double period = 0;
+  Signal extension;
+  Signal rate;
+};
+
+void CycleRemainders(const HydraulicRemainder& port, const Cycle& cycle, std::span<double> remainder) {
+  const std::optional<HydraulicCycle> found =
+      HydraulicCycle::Solve(port.law, cycle.period, cycle.extension, cycle.rate);
+  for (std::size_t k = 0; k < remainder.size(); ++k)
+    remainder[k] = found ? found->states()[k].tension - port.share.stiffness * cycle.extension[k] : kNan;
+}
+void CycleRemainders(const FrictionRemainder& port, const Cycle& cycle, std::span<double> remainder) {
+  const DahlCycle found(port.law, cycle.extension);
+  std::copy(found.forces().begin(), found.forces().end(), remainder.begin());
+}
+void CycleRemainders(const auto&, const Cycle&, std::span<double> remainder) {
+  std::fill(remainder.begin(), remainder.end(), kNan);
+}
+
+std::span<double> ColumnOf(Eigen::MatrixXd& matrix, Eigen::Index j) {
+  return {matrix.col(j).data(), static_cast<std::size_t>(matrix.rows())};
+}
+Signal ColumnOf(const Eigen::MatrixXd& matrix, Eigen::Index j) {
+  return {matrix.col(j).data(), static_cast<std::size_t>(matrix.rows())};
+}
+
+void CycleChanges(const HydraulicRemainder& port, const Cycle& cycle, const Eigen::MatrixXd& extensions,
+                  const Eigen::MatrixXd& rates, Eigen::MatrixXd& remainders) {
+  const std::optional<HydraulicCycle> found =
+      HydraulicCycle::Solve(port.law, cycle.period, cycle.extension, cycle.rate);
+  if (!found) return;
+  for (Eigen::Index j = 0; j < extensions.cols(); ++j)
+    found->Change(ColumnOf(extensions, j), ColumnOf(rates, j), ColumnOf(remainders, j));
+  remainders -= port.share.stiffness * extensions;
+}
+void CycleChanges(const FrictionRemainder& port, const Cycle& cycle, const Eigen::MatrixXd& extensions,
+                  const Eigen::MatrixXd&, Eigen::MatrixXd& remainders) {
+  const DahlCycle found(port.law, cycle.extension);
+  for (Eigen::Index j = 0; j < extensions.cols(); ++j) found.Change(ColumnOf(extensions, j), ColumnOf(remainders, j));
+}
+void CycleChanges(const auto&, const Cycle&, const Eigen::MatrixXd&, const Eigen::MatrixXd&, Eigen::MatrixXd&) {}
 
 /// A direction of s as one of [s x].
 Eigen::VectorXd OnMotion(const CondensedModel& model, const Eigen::VectorXd& direction) {
@@ -117,6 +166,10 @@ double At(Signal signal, std::size_t k) { return signal.empty() ? 0 : signal[k];
 }  // namespace
 
 bool UsesExtension(const PortLaw& law) { return !std::holds_alternative<DashpotRemainder>(law); }
+
+bool HasMemory(const PortLaw& law) {
+  return std::holds_alternative<HydraulicRemainder>(law) || std::holds_alternative<FrictionRemainder>(law);
+}
 
 double StepOfRate(const PortLaw& law) {
   const auto* dashpot = std::get_if<DashpotRemainder>(&law);
@@ -155,29 +208,24 @@ void MendedRemainders(const PortLaw& law, std::span<const PortKink> kinks, Signa
   }
 }
 
-void CycleRemainders(const HydraulicRemainder& port, double period, Signal extension, Signal rate,
-                     std::span<double> remainder) {
-  const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(port.law, period, extension, rate);
-  for (std::size_t k = 0; k < remainder.size(); ++k)
-    remainder[k] = cycle ? cycle->states()[k].tension - port.share.stiffness * extension[k] : kNan;
+void CycleRemainders(const PortLaw& law, double period, Signal extension, Signal rate, std::span<double> remainder) {
+  std::visit([&](const auto& port) { CycleRemainders(port, Cycle{period, extension, rate}, remainder); }, law);
 }
 
-void CycleChanges(const HydraulicRemainder& port, double period, Signal extension, Signal rate,
+void CycleChanges(const PortLaw& law, double period, Signal extension, Signal rate,
                   const Eigen::MatrixXd& extension_changes, const Eigen::MatrixXd& rate_changes,
                   Eigen::MatrixXd& remainder_changes) {
   remainder_changes.setConstant(extension_changes.rows(), extension_changes.cols(), kNan);
-  const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(port.law, period, extension, rate);
-  if (!cycle) return;
-  const std::size_t samples = extension.size();
-  for (Eigen::Index j = 0; j < extension_changes.cols(); ++j)
-    cycle->Change({extension_changes.col(j).data(), samples}, {rate_changes.col(j).data(), samples},
-                  {remainder_changes.col(j).data(), samples});
-  remainder_changes -= port.share.stiffness * extension_changes;
+  const Cycle cycle{period, extension, rate};
+  std::visit([&](const auto& port) { CycleChanges(port, cycle, extension_changes, rate_changes, remainder_changes); },
+             law);
 }
 
-std::complex<double> LaggingShare(const HydraulicRemainder& port, double w) {
-  const std::complex<double> dashpot(0, w * port.share.rate);
-  return port.share.series * dashpot / (port.share.series + dashpot);
+std::complex<double> LaggingShare(const PortLaw& law, double w) {
+  const auto* port = std::get_if<HydraulicRemainder>(&law);
+  if (!port) return 0;
+  const std::complex<double> dashpot(0, w * port->share.rate);
+  return port->share.series * dashpot / (port->share.series + dashpot);
 }
 
 void RemainderSlopes(const PortLaw& law, Signal extension, Signal rate, std::span<double> by_extension,
@@ -236,6 +284,9 @@ std::vector<Port> HeldPortsOf(const CondensedModel& model) {
     ports.push_back({.direction = OnMotion(model, damper.direction),
                      .law = HydraulicRemainder{damper.law, HydraulicOil(damper.law).Linear()},
                      .lag = series[damper.dashpot]});
+  // Also without force: a fit starts there, and needs the derivatives.
+  for (const CondensedModel::Rubbing& friction : model.rubbings)
+    ports.push_back({.direction = OnMotion(model, friction.direction), .law = FrictionRemainder{friction.law}});
   return ports;
 }
 

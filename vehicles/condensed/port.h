@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/condensed/condensed_model.h"
+#include "vehicles/laws/dahl_friction.h"
 #include "vehicles/laws/hydraulic_oil.h"
 
 namespace fourpost {
@@ -42,10 +43,20 @@ struct HydraulicRemainder {
   /// The linear part follows from the law.
   bool operator==(const HydraulicRemainder& other) const { return law == other.law; }
 };
-using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder>;
+/// Friction that sticks, all of it: nothing in the linear part. It has memory as well.
+struct FrictionRemainder {
+  DahlFriction law;
+
+  bool operator==(const FrictionRemainder&) const = default;
+};
+using PortLaw =
+    std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder, FrictionRemainder>;
 
 /// Whether the nonlinear part depends on the extension.
 bool UsesExtension(const PortLaw& law);
+
+/// Whether it depends on more than extension and rate at one instant.
+bool HasMemory(const PortLaw& law);
 
 /// Change of rate within which the nonlinear part has its transition [m/s]; infinite: none.
 double StepOfRate(const PortLaw& law);
@@ -86,19 +97,21 @@ void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std:
 void MendedSlopes(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
                   std::span<const double> rate, std::span<double> by_extension, std::span<double> by_rate);
 
-/// Tension minus that of the linear part's spring `stiffness` [N], at each sample of a cycle of `period` [s] over which
-/// the samples are spread evenly, three or more. Subtracting LaggingShare times the extension at each harmonic gives
-/// the nonlinear part. NaN if the damper has no such cycle because a chamber closes.
-void CycleRemainders(const HydraulicRemainder& port, double period, std::span<const double> extension,
-                     std::span<const double> rate, std::span<double> remainder);
+/// Of a law with memory; NaN for others. Tension minus that of the linear part's spring `stiffness` [N], at each sample
+/// of a cycle of `period` [s] over which the samples are spread evenly, three or more. Subtracting LaggingShare times
+/// the extension at each harmonic gives the nonlinear part. NaN if a hydraulic damper has no such cycle because a
+/// chamber closes.
+void CycleRemainders(const PortLaw& law, double period, std::span<const double> extension, std::span<const double> rate,
+                     std::span<double> remainder);
 
 /// First-order changes by changes of extension and rate, samples x changes. NaN likewise.
-void CycleChanges(const HydraulicRemainder& port, double period, std::span<const double> extension,
-                  std::span<const double> rate, const Eigen::MatrixXd& extension_changes,
-                  const Eigen::MatrixXd& rate_changes, Eigen::MatrixXd& remainder_changes);
+void CycleChanges(const PortLaw& law, double period, std::span<const double> extension, std::span<const double> rate,
+                  const Eigen::MatrixXd& extension_changes, const Eigen::MatrixXd& rate_changes,
+                  Eigen::MatrixXd& remainder_changes);
 
-/// Tension per extension [N/m] of the linear part's dashpot and spring in series at the angular frequency w.
-std::complex<double> LaggingShare(const HydraulicRemainder& port, double w);
+/// Tension per extension [N/m] of a hydraulic damper's linear part, dashpot and spring in series, at the angular
+/// frequency w; zero for other laws.
+std::complex<double> LaggingShare(const PortLaw& law, double w);
 
 /// A nonlinear element as seen by a linear vehicle (LinearVehicle, centre rates): its extension is e = direction . [s
 /// x] + z of its post, its tension acts on [s x] as -direction f.

@@ -47,6 +47,7 @@ void EachField(MaybeConst<DashpotDescription::TablePoint> auto& point, auto&& fi
 void EachField(MaybeConst<DashpotDescription::Friction> auto& friction, auto&& field) {
   field("force", friction.force);
   field("speed", friction.speed);
+  field("stiffness", friction.stiffness);
 }
 
 void EachField(MaybeConst<DashpotDescription> auto& law, auto&& field) {

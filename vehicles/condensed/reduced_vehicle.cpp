@@ -1,5 +1,6 @@
 #include "vehicles/condensed/reduced_vehicle.h"
 
+#include <optional>
 #include <utility>
 
 #include "analysis/text/count_check.h"
@@ -171,6 +172,8 @@ std::vector<int> ReducedVehicle::LoadCellsUnder(std::size_t tyre) const {
 
 void ReducedVehicle::AddDashpots(std::span<const double> parameters, CondensedModel& model) const {
   for (const ReducedData::Damper& damper : data_.dampers) {
+    if (const std::optional<DahlFriction> friction = damper.law.StickingAt(parameters))
+      model.rubbings.push_back({damper.direction, *friction});
     if (damper.hydraulic) {
       AddHydraulic(damper, parameters, model);
       continue;
@@ -193,7 +196,7 @@ void ReducedVehicle::AddHydraulic(const ReducedData::Damper& damper, std::span<c
   model.dashpots.push_back({.direction = direction,
                             .law = DashpotLaw(share.rate, share.rate),
                             .series = {.stiffness = share.series, .cubic = 0, .knees = {}}});
-  if (!damper.law.friction) return;
+  if (!damper.law.friction || damper.law.Sticks()) return;
   // It acts between the ends of damper and mount.
   const DashpotDescription friction{.friction = damper.law.friction};
   model.dashpots.push_back({.direction = direction, .law = friction.At(parameters)});

@@ -60,8 +60,15 @@ DashpotLaw DashpotDescription::At(std::span<const double> parameters) const {
     }
     return {bump, pull};
   };
-  if (!friction) return bare();
+  if (!friction || Sticks()) return bare();
   return bare().WithFriction(friction->force.At(parameters), friction->speed.At(parameters));
+}
+
+std::optional<DahlFriction> DashpotDescription::StickingAt(std::span<const double> parameters) const {
+  if (!Sticks()) return std::nullopt;
+  const DahlFriction law{.force = friction->force.At(parameters), .stiffness = friction->stiffness->At(parameters)};
+  law.Validate();
+  return law;
 }
 
 HydraulicDamper HydraulicDescription::At(std::span<const double> parameters) const {

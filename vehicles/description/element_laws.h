@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "vehicles/description/scalar.h"
+#include "vehicles/laws/dahl_friction.h"
 #include "vehicles/laws/dashpot_law.h"
 #include "vehicles/laws/hydraulic_damper.h"
 #include "vehicles/laws/spring_law.h"
@@ -57,9 +58,11 @@ struct DashpotDescription {
     Scalar speed;
     Scalar force;
   };
+  /// Of DashpotLaw::WithFriction(), or with `stiffness` DahlFriction, which then acts beside the damper and its mount.
   struct Friction {
     Scalar force;
     Scalar speed;
+    std::optional<Scalar> stiffness = {};
   };
   Kind kind = Kind::kBilinear;
   Scalar compression;
@@ -73,7 +76,11 @@ struct DashpotDescription {
   std::vector<TablePoint> table;
   std::optional<Friction> friction;
 
+  /// With its friction, unless that sticks.
   DashpotLaw At(std::span<const double> parameters) const;
+  bool Sticks() const { return friction && friction->stiffness; }
+  /// Friction that sticks, if it has any. Throws as DahlFriction::Validate() does.
+  std::optional<DahlFriction> StickingAt(std::span<const double> parameters) const;
 };
 
 /// Hydraulic damper without its friction: the fields of HydraulicDamper that a file may set.

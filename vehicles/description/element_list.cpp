@@ -130,7 +130,9 @@ void AddDamper(const Damper& damper, NumberList& list) {
   else AddDashpot(damper.law, list);
   if (damper.law.friction) {
     list.AddBend("friction", "fp:damper/friction", "force", damper.law.friction->force);
-    list.AddBend("friction speed", "fp:damper/friction", "speed", damper.law.friction->speed);
+    if (damper.law.Sticks())
+      list.AddBend("friction stiffness", "fp:damper/friction", "stiffness", *damper.law.friction->stiffness);
+    else list.AddBend("friction speed", "fp:damper/friction", "speed", damper.law.friction->speed);
   }
   if (damper.series) {
     list.Add("series stiffness", "fp:damper/series", "stiffness", damper.series->stiffness);

@@ -20,8 +20,10 @@ std::string Spring::Element() const {
 
 HydraulicDamper Damper::HydraulicAt(std::span<const double> parameters) const {
   HydraulicDamper damper = hydraulic->At(parameters);
-  damper.friction = law.friction ? law.friction->force.At(parameters) : 0;
-  if (law.friction) damper.friction_speed = law.friction->speed.At(parameters);
+  damper.friction = 0;
+  if (!law.friction || law.Sticks()) return damper;
+  damper.friction = law.friction->force.At(parameters);
+  damper.friction_speed = law.friction->speed.At(parameters);
   return damper;
 }
 

@@ -61,6 +61,8 @@ bool Differ(const CondensedModel& a, const CondensedModel& b, double weight) {
     if (Differ(a.*field, b.*field)) return true;
   for (std::size_t i = 0; i < a.dashpots.size(); ++i)
     if (Differ(a.dashpots[i], b.dashpots[i])) return true;
+  for (std::size_t i = 0; i < a.rubbings.size(); ++i)
+    if (!(a.rubbings[i].law == b.rubbings[i].law)) return true;
   for (std::size_t i = 0; i < std::min(a.stiffenings.size(), b.stiffenings.size()); ++i)
     if (Differ(a.stiffenings[i].law, b.stiffenings[i].law)) return true;
   return Differ(a.preloads, b.preloads, weight);

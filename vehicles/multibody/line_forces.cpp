@@ -89,6 +89,30 @@ void HydraulicForce::realizeAcceleration(const State& state) const {
   forces_.updZDot(state)[second] = rates[1];
 }
 
+double FrictionRate(const FrictionData& data, const LineMotion& motion, double state) {
+  const double force = data.law.force;
+  return force == 0 ? 0 : data.law.Rate(motion.rate, force * state) / force;
+}
+
+void FrictionForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&,
+                              SimTK::Vector&) const {
+  ApplyTension(data_.line, state, Motion(data_.line, state), data_.law.force * forces_.getZ(state)[tension_],
+               body_forces);
+}
+
+SimTK::Real FrictionForce::calcPotentialEnergy(const State& state) const {
+  const double tension = data_.law.force * forces_.getZ(state)[tension_];
+  return 0.5 * tension * tension / data_.law.stiffness;
+}
+
+void FrictionForce::realizeTopology(State& state) const {
+  tension_ = forces_.allocateZ(state, SimTK::Vector(1, SimTK::Real(0)));
+}
+
+void FrictionForce::realizeAcceleration(const State& state) const {
+  forces_.updZDot(state)[tension_] = FrictionRate(data_, Motion(data_.line, state), forces_.getZ(state)[tension_]);
+}
+
 void AntiRollForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&,
                               SimTK::Vector&) const {
   const LineMotion left = Motion(data_.left, state);

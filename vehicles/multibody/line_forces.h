@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "vehicles/description/post_motion.h"
+#include "vehicles/laws/dahl_friction.h"
 #include "vehicles/laws/dashpot_law.h"
 #include "vehicles/laws/mounted_hydraulic_damper.h"
 #include "vehicles/laws/series_damper.h"
@@ -34,6 +35,11 @@ struct HydraulicData {
   MountedHydraulicDamper damper;
   /// Whether there is a mount.
   bool is_mounted = false;
+};
+
+struct FrictionData {
+  BodyLine line;
+  DahlFriction law;
 };
 
 struct AntiRollData {
@@ -98,6 +104,26 @@ inline constexpr double kHydraulicPressureUnit = 1e6;
 /// Rates of a hydraulic damper's states as a function of its states [kHydraulicPressureUnit, kHydraulicPressureUnit/s].
 std::array<double, 2> HydraulicRates(const HydraulicData& data, const LineMotion& motion,
                                      const std::array<double, 2>& states);
+
+/// Friction that sticks; its state is the tension over the sliding force.
+class FrictionForce : public SimTK::Force::Custom::Implementation {
+ public:
+  FrictionForce(const FrictionData& data, const SimTK::GeneralForceSubsystem& forces) : data_(data), forces_(forces) {}
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                 SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
+  /// tension^2 / 2 stiffness: of the power that it takes up, |v| tension^2 / force is lost, the rest is its rate.
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
+  void realizeTopology(SimTK::State& state) const override;
+  void realizeAcceleration(const SimTK::State& state) const override;
+
+ private:
+  const FrictionData& data_;
+  const SimTK::GeneralForceSubsystem& forces_;
+  mutable SimTK::ZIndex tension_;
+};
+
+/// Rate of its state [1/s].
+double FrictionRate(const FrictionData& data, const LineMotion& motion, double state);
 
 /// Tension that is given over time.
 class ActuatorForce : public SimTK::Force::Custom::Implementation {

@@ -153,6 +153,8 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
   }
   for (std::size_t i = 0; i < m.hydraulics.size(); ++i)
     SetHydraulic(m.vehicle.dampers[m.hydraulic_index[i]], parameters, m.hydraulics[i]);
+  for (std::size_t i = 0; i < m.frictions.size(); ++i)
+    m.frictions[i].law = *m.vehicle.dampers[m.friction_index[i]].law.StickingAt(parameters);
   for (std::size_t i = 0; i < m.bushings.size(); ++i) {
     const Bushing& bushing = m.vehicle.bushings[i];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -211,10 +213,11 @@ Eigen::MatrixXd Multibody::LinkJacobian(int link) const {
   return jacobian;
 }
 
-Eigen::VectorXd Multibody::HydraulicExtensions() const {
-  Eigen::VectorXd extensions(impl_->hydraulics.size());
-  for (std::size_t i = 0; i < impl_->hydraulics.size(); ++i)
-    extensions[static_cast<Eigen::Index>(i)] = Extension(impl_->hydraulics[i].line, impl_->state);
+Eigen::VectorXd Multibody::MemoryExtensions() const {
+  Eigen::VectorXd extensions(impl_->hydraulics.size() + impl_->frictions.size());
+  Eigen::Index next = 0;
+  for (const HydraulicData& damper : impl_->hydraulics) extensions[next++] = Extension(damper.line, impl_->state);
+  for (const FrictionData& friction : impl_->frictions) extensions[next++] = Extension(friction.line, impl_->state);
   return extensions;
 }
 
@@ -277,6 +280,10 @@ Eigen::VectorXd Multibody::Residual(const Eigen::VectorXd& derivative) {
       residual[n + i] = derivative[2 * n + i] - rate;
       ++i;
     }
+  }
+  for (const FrictionData& friction : m.frictions) {
+    residual[n + i] = derivative[2 * n + i] - FrictionRate(friction, Motion(friction.line, m.state), z[i]);
+    ++i;
   }
   return residual;
 }

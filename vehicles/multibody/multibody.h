@@ -37,7 +37,8 @@ using MarchSink = std::function<void(double t, const Eigen::VectorXd& state, con
 /// The vehicle as a nonlinear multibody system in Simbody: bodies, joints, loop closures and force elements. Joint
 /// coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y, z;
 /// dq/dt = u for all of them. z: extension of the spring of each series damper in file order [m], then the pressures of
-/// each hydraulic damper above rest (rebound, bump chamber) [MPa]. Not thread-safe: one per thread.
+/// each hydraulic damper above rest (rebound, bump chamber) [MPa], then the tension of friction that sticks over its
+/// sliding force. Not thread-safe: one per thread.
 class Multibody {
  public:
   /// Throws FaultyInput, naming the loops and their gaps, if the loop closures cannot be assembled.
@@ -65,8 +66,9 @@ class Multibody {
   Eigen::Isometry3d LinkPose(int link) const;
   /// 6 x coordinates: angular velocity and velocity of the link's origin, in ground axes, per unit u.
   Eigen::MatrixXd LinkJacobian(int link) const;
-  /// Extension of each hydraulic damper with its mount, in file order, from the design pose [m].
-  Eigen::VectorXd HydraulicExtensions() const;
+  /// Extension of each hydraulic damper with its mount, then of each friction that sticks, in file order, from the
+  /// design pose [m].
+  Eigen::VectorXd MemoryExtensions() const;
   /// Loop closure errors [m, or rad] and their derivatives by q.
   const std::vector<LoopClosure>& loop_closures() const;
   Eigen::VectorXd LoopError() const;
@@ -86,6 +88,7 @@ class Multibody {
   ///   per coordinate       M(q) u' - forces(t, q, u, z)                     [N, or N m for an angle], n entries,
   ///   per series damper    spring force(z) - dashpot force(v - z')         [N], in file order,
   ///   per hydraulic damper z' - rates of its oil and valves at v           [MPa/s], two each,
+  ///   per friction that sticks   z' - rate of its law at v                 [1/s],
   /// v: extension rate of the damper. All zero where derivative = StateDerivative(t, state), which costs more and
   /// divides by the dashpots' rates. Forces of loop closures are left out. Throws std::runtime_error if Simbody cannot
   /// evaluate the state.

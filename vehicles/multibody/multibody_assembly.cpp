@@ -75,6 +75,10 @@ void Multibody::Impl::AddSprings() {
 void Multibody::Impl::AddDampers() {
   for (std::size_t i = 0; i < vehicle.dampers.size(); ++i) {
     const Damper& damper = vehicle.dampers[i];
+    if (damper.law.Sticks()) {
+      frictions.push_back({.line = MakeLine(damper.line), .law = {}});
+      friction_index.push_back(i);
+    }
     if (damper.hydraulic) {
       hydraulics.push_back({.line = MakeLine(damper.line), .damper = {}, .is_mounted = damper.series.has_value()});
       hydraulic_index.push_back(i);
@@ -86,6 +90,7 @@ void Multibody::Impl::AddDampers() {
   }
   for (const DamperData& damper : dampers) SimTK::Force::Custom(forces, new DamperForce(damper, forces));
   for (const HydraulicData& damper : hydraulics) SimTK::Force::Custom(forces, new HydraulicForce(damper, forces));
+  for (const FrictionData& friction : frictions) SimTK::Force::Custom(forces, new FrictionForce(friction, forces));
 }
 
 void Multibody::Impl::AddBushings() {
@@ -204,6 +209,7 @@ void Multibody::Impl::MeasureDesign() {
   for (SpringData& spring : springs) spring.line.design_length = Length(spring.line, state);
   for (DamperData& damper : dampers) damper.line.design_length = Length(damper.line, state);
   for (HydraulicData& damper : hydraulics) damper.line.design_length = Length(damper.line, state);
+  for (FrictionData& friction : frictions) friction.line.design_length = Length(friction.line, state);
   for (AntiRollData& bar : antiroll_bars) {
     bar.left.design_length = Length(bar.left, state);
     bar.right.design_length = Length(bar.right, state);

@@ -69,6 +69,9 @@ struct Multibody::Impl {
   std::vector<std::size_t> damper_index;
   std::vector<HydraulicData> hydraulics;
   std::vector<std::size_t> hydraulic_index;
+  /// Friction that sticks, each with its place in Vehicle::dampers.
+  std::vector<FrictionData> frictions;
+  std::vector<std::size_t> friction_index;
   std::vector<BushingData> bushings;
   std::vector<AntiRollData> antiroll_bars;
   std::vector<BodyLine> actuators;

@@ -148,6 +148,19 @@ StatisticalGain Gain(const HydraulicRemainder& port, const PortMotion& motion) {
   return {.mean = mean, .by_extension = gain.real(), .by_rate = gain.imag() / w};
 }
 
+/// Amplitudes of a narrow band have Rayleigh's distribution, of density z exp(-z^2 / 2) at z deviations.
+StatisticalGain Gain(const FrictionRemainder& port, const PortMotion& motion) {
+  if (port.law.force == 0) return {};
+  if (motion.extension_sd == 0 || motion.rate_sd == 0) return {.by_extension = port.law.stiffness};
+  const double sliding = port.law.force / port.law.stiffness / motion.extension_sd;
+  const NormalPoints points = PointsBetween({0, sliding, 3 * sliding, 10 * sliding});
+  std::complex<double> gain = 0;
+  for (std::size_t k = 0; k < points.z.size(); ++k)
+    if (const double z = points.z[k]; z > 0)
+      gain += std::sqrt(2 * pi) * points.share[k] * z * 0.5 * z * z * port.law.Gain(z * motion.extension_sd);
+  return {.by_extension = gain.real(), .by_rate = gain.imag() * motion.extension_sd / motion.rate_sd};
+}
+
 }  // namespace
 
 double NormalShareBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }

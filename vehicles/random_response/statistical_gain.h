@@ -23,8 +23,9 @@ struct StatisticalGain {
 };
 
 /// Dashpots and springs by Gauss's rule between the kinks of the law; tyres that lift off in closed form; a hydraulic
-/// damper, whose force has a memory, by the first harmonic of the sine of the same deviations of extension and rate.
-/// NaN for a hydraulic damper without such a cycle.
+/// damper, whose force has a memory, by the first harmonic of the sine of the same deviations of extension and rate;
+/// friction that sticks, likewise, by those of sines whose amplitudes are spread as those of a narrow band. NaN for a
+/// hydraulic damper without such a cycle.
 StatisticalGain GainOf(const PortLaw& law, const PortMotion& motion);
 
 /// Mean and standard deviation of a tyre's vertical force max(0, F) with F normal, and the share of time with F < 0.

@@ -121,7 +121,7 @@ class ElementReader {
       if (const std::optional<Tag> law = ChildOf(tag, name)) damper.law = laws_.ReadDashpot(tag, *law, series);
     if (const std::optional<Tag> law = ChildOf(tag, "hydraulic")) {
       damper.hydraulic = laws_.ReadHydraulic(*law);
-      damper.law.friction = laws_.ReadFriction(tag);
+      damper.law.friction = laws_.ReadFriction(tag, std::nullopt);
     }
     if (const std::optional<Tag> gas = ChildOf(tag, "gas")) ReadGas(tag, *gas, damper.line);
     vehicle_.dampers.push_back(damper);

@@ -273,6 +273,14 @@ inline const Finding kCurvePlace{
     "curve-place", Severity::kWarning,
     "{} is {} long in the design pose and {} free, at {} of a curve from {} to {}, beyond which it goes straight on",
     "check its ends and the free length in the file, or add `at`"};
+inline const Finding kFrictionSpeedAndStiffness{
+    "friction-speed-and-stiffness", Severity::kError,
+    "the friction of {} has both 'speed' and 'stiffness', which belong to different laws",
+    "keep 'stiffness' for friction that sticks before it slides, 'speed' for one that creeps"};
+inline const Finding kFrictionStiffnessSeries{
+    "friction-stiffness-series", Severity::kError,
+    "the friction of {} has 'stiffness', but the damper has a series spring",
+    "move the <friction> to another fp:damper between the same ends, with <linear rate=\"0 N*s/m\"/>"};
 inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
                                         "{} has a series spring, so its rates must be above zero"};
 inline const Finding kSeriesSaturates{"series-saturates", Severity::kError,

@@ -117,16 +117,22 @@ DashpotDescription LawReader::ReadDashpot(const Tag& damper, const Tag& law, con
   const int errors = faults_.errors();
   if (law.rule->Name() == "table") ReadTable(law, dashpot);
   else ReadRates(law, dashpot);
-  dashpot.friction = ReadFriction(damper);
+  dashpot.friction = ReadFriction(damper, series);
   if (series && faults_.errors() == errors) CheckInvertible(damper, *series, dashpot);
   return dashpot;
 }
 
-std::optional<DashpotDescription::Friction> LawReader::ReadFriction(const Tag& damper) {
-  const std::optional<Tag> friction = ChildOf(damper, "friction");
-  if (!friction) return std::nullopt;
-  return DashpotDescription::Friction{parameters_.ReadScalar(*friction, "force"),
-                                      parameters_.ReadScalar(*friction, "speed")};
+std::optional<DashpotDescription::Friction> LawReader::ReadFriction(const Tag& damper,
+                                                                    const std::optional<Tag>& series) {
+  const std::optional<Tag> tag = ChildOf(damper, "friction");
+  if (!tag) return std::nullopt;
+  DashpotDescription::Friction friction{parameters_.ReadScalar(*tag, "force"), parameters_.ReadScalar(*tag, "speed")};
+  if (!AttributeText(*tag->element, "stiffness")) return friction;
+  friction.stiffness = parameters_.ReadScalar(*tag, "stiffness");
+  if (AttributeText(*tag->element, "speed"))
+    faults_.Report(kFrictionSpeedAndStiffness, tag->Line("speed"), {Describe(*damper.element)});
+  if (series) faults_.Report(kFrictionStiffnessSeries, tag->Line("stiffness"), {Describe(*damper.element)});
+  return friction;
 }
 
 void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {

@@ -20,7 +20,8 @@ class LawReader {
   SpringDescription ReadStop(const Tag& stop);
   /// Law of a damper, `<hydraulic>` excepted, with its friction; `series`: the spring in series with it, if any.
   DashpotDescription ReadDashpot(const Tag& damper, const Tag& law, const std::optional<Tag>& series);
-  std::optional<DashpotDescription::Friction> ReadFriction(const Tag& damper);
+  /// `series`: the spring in series with the damper, unless it is hydraulic.
+  std::optional<DashpotDescription::Friction> ReadFriction(const Tag& damper, const std::optional<Tag>& series);
   SpringDescription ReadSeries(const Tag& series);
   HydraulicDescription ReadHydraulic(const Tag& law);
 

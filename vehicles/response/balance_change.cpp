@@ -204,9 +204,10 @@ void BalanceChange::AddLawForces(double amplitude_m) {
     const ModelChange::Law& law = *laws_[i].law;
     Eigen::VectorXcd tension = law_harmonics_.col(static_cast<Eigen::Index>(i));
     const Port& port = law.changed ? *law.changed : cycle_.ports()[static_cast<std::size_t>(law.port)];
-    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&port.law); hydraulic && law.port >= 0)
-      tension = cycle_.cycle().RemainderOf(*hydraulic, law.port).head(tension.size()) -
-                cycle_.cycle().remainder().col(law.port).head(tension.size());
+    if (HasMemory(port.law) && law.port >= 0) {
+      tension = -cycle_.cycle().remainder().col(law.port).head(tension.size());
+      if (law.changed) tension += cycle_.cycle().RemainderOf(port.law, law.port).head(tension.size());
+    }
     for (Eigen::Index h = 0; h <= harmonics_; ++h)
       AddTension(h, port.direction, law.port, laws_[i].change, laws_[i].per_step * tension[h]);
   }
@@ -218,12 +219,12 @@ void BalanceChange::AddTension(Eigen::Index h, const Eigen::VectorXd& direction,
   if (h < 3 && port >= 0) tensions_[static_cast<std::size_t>(h)](port, change) += tension;
 }
 
-/// How far the changed law departs from the cycle's remainder, where it has no memory.
+/// How far the changed law departs from the cycle's remainder; of a port of the cycle only where it has no memory.
 void BalanceChange::FindRemainder(const LawChange& law, double amplitude_m, Eigen::Index column) {
   const PortCycle& cycle = cycle_.cycle();
   const std::optional<Port>& changed = law.law->changed;
   const Eigen::Index port = law.law->port;
-  if (changed && std::holds_alternative<HydraulicRemainder>(changed->law)) return;
+  if (port >= 0 && HasMemory(cycle.ports()[static_cast<std::size_t>(port)].law)) return;
   if (port >= 0) {
     if (changed)
       MendedRemainders(changed->law, law.kinks, Samples(cycle.extension_time(), port), Samples(cycle.rate_time(), port),
@@ -240,7 +241,13 @@ void BalanceChange::FindRemainder(const LawChange& law, double amplitude_m, Eige
   Eigen::MatrixXd rate_time;
   transform.ToTime(extension, extension_time);
   transform.ToTime(w.asDiagonal() * extension, rate_time);
-  MendedRemainders(changed->law, law.kinks, Samples(extension_time, 0), Samples(rate_time, 0), Room(law_time_, column));
+  // Of laws with memory friction alone may be added: a hydraulic damper adds a coordinate.
+  if (HasMemory(changed->law))
+    CycleRemainders(changed->law, cycle.Period(), Samples(extension_time, 0), Samples(rate_time, 0),
+                    Room(law_time_, column));
+  else
+    MendedRemainders(changed->law, law.kinks, Samples(extension_time, 0), Samples(rate_time, 0),
+                     Room(law_time_, column));
 }
 
 void BalanceChange::FindSlopes() {
@@ -252,9 +259,9 @@ void BalanceChange::FindSlopes() {
   for (std::size_t j = 0; j < cycle_.ports().size(); ++j) {
     const auto port = static_cast<Eigen::Index>(j);
     const PortLaw& law = cycle_.ports()[j].law;
-    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&law)) {
+    if (HasMemory(law)) {
       active_.push_back(port);
-      slopes_.push_back(SlopeMatrix(CycleCoupling(cycle, *hydraulic, port, harmonics_ + 1)));
+      slopes_.push_back(SlopeMatrix(CycleCoupling(cycle, law, port, harmonics_ + 1)));
       continue;
     }
     MendedSlopes(law, cycle.kinks(port), Samples(cycle.extension_time(), port), Samples(cycle.rate_time(), port),

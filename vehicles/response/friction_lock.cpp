@@ -15,9 +15,11 @@ namespace {
 /// Ten thousand times the motion: none of it reaches the damper.
 constexpr double kNotReached = 1e4;
 
-/// Extension over that at which friction begins to slide, where e, with a mount, or v shows that.
+/// Extension over that at which friction begins to slide, where e, with a mount or with friction that sticks, or v
+/// shows that.
 double Sliding(const Damper& damper, std::span<const double> values, double extension, double rate) {
   const DashpotDescription::Friction& friction = *damper.law.friction;
+  if (friction.stiffness) return friction.stiffness->At(values) * extension / friction.force.At(values);
   // The friction of a hydraulic damper acts beside its mount.
   if (damper.series && !damper.hydraulic)
     return damper.series->At(values).Slope(0) * extension / friction.force.At(values);

@@ -29,7 +29,7 @@ std::vector<std::size_t> RubbingDampers(const Vehicle& vehicle);
 std::vector<Sensor> ExtensionSensors(const Vehicle& vehicle, const std::vector<std::size_t>& dampers);
 
 /// Dampers that never slide: friction F tanh(v / v_f) of a damper without mount sticks while its extension rate stays
-/// below v_f, that of one with a mount of stiffness k while the mount's force k e stays below F; e, v: first harmonics
+/// below v_f, that of one with a mount of stiffness k, or of its own, while k e stays below F; e, v: first harmonics
 /// of the linearised harmonic balance. Dampers that do not move, by symmetry, are left out. Throws as CondensedVehicle
 /// and SolveHarmonicBalance do.
 std::vector<LockedFriction> FindLockedFriction(const Vehicle& vehicle, const Excitation& excitation);

@@ -15,6 +15,7 @@
 #include "analysis/numerics/anderson_acceleration.h"
 #include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/laws/dahl_cycle.h"
 #include "vehicles/laws/hydraulic_cycle.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/findings.h"
@@ -93,7 +94,8 @@ void FullCycle::Take(const Sampling& sampling) {
   transform_ = &CycleTransform::Shared(sampling.harmonics, sampling.samples);
   lacking_.resize(sampling.samples, mass_.size());
   readings_.resize(sampling.samples, sensors_.rows());
-  pressures_.setZero(sampling.samples, static_cast<Eigen::Index>(2 * full_.hydraulics().size()));
+  memory_.setZero(sampling.samples,
+                  static_cast<Eigen::Index>(2 * full_.hydraulics().size() + full_.frictions().size()));
   const Eigen::MatrixXcd before = std::exchange(added_, Eigen::MatrixXcd::Zero(sampling.harmonics + 1, mass_.size()));
   const Eigen::Index known = std::min(before.rows(), added_.rows());
   added_.topRows(known) = before.topRows(known);
@@ -190,8 +192,8 @@ bool FullCycle::Iterate() {
 }
 
 /// What more must be added for the full system to move as the linearised one does now, from what it lacks to do so.
-/// Laws with kinks err by coarse samples; they err alike in both systems, and so not in the difference. How the tension
-/// of a hydraulic damper errs by them is known.
+/// Laws with kinks err by coarse samples; they err alike in both systems, and so not in the difference. How the
+/// tensions of elements with a memory err by them is known.
 Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read) {
   SampleCycle(motion, read);
   Eigen::MatrixXcd lacking;
@@ -205,8 +207,9 @@ Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read)
   Eigen::MatrixXcd aliases = coarse;
   const Eigen::Index known = std::min(coarse.rows(), cycle().remainder().rows());
   aliases.topRows(known) -= cycle().remainder().topRows(known);
-  for (const std::size_t j : full_.hydraulics())
-    aliases.col(static_cast<Eigen::Index>(j)) = tension_aliases_.col(static_cast<Eigen::Index>(j));
+  for (const std::vector<std::size_t>& elements : {full_.hydraulics(), full_.frictions()})
+    for (const std::size_t j : elements)
+      aliases.col(static_cast<Eigen::Index>(j)) = tension_aliases_.col(static_cast<Eigen::Index>(j));
   return cycle().MotionBy(aliases * cycle().directions().transpose() - lacking);
 }
 
@@ -220,7 +223,7 @@ void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {
   transform_->ToTime(motion, position);
   transform_->ToTime(rates, velocity);
   transform_->ToTime(rate.asDiagonal() * rates, acceleration);
-  if (!full_.hydraulics().empty()) FindPressures(position);
+  if (full_.HasMemory()) FindMemory(position);
   const Eigen::Index n = coordinates_;
   for (Eigen::Index k = 0; k < samples; ++k) {
     const double t = 2 * std::numbers::pi * static_cast<double>(k) / (omega_ * static_cast<double>(samples));
@@ -228,60 +231,84 @@ void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {
                           .At(t, {.position = position.row(k).transpose(),
                                   .rate = velocity.row(k).transpose(),
                                   .acceleration = acceleration.row(k).head(n).transpose(),
-                                  .pressures = pressures_.row(k).transpose()})
+                                  .memory = memory_.row(k).transpose()})
                           .transpose();
     if (read) readings_.row(k) = full_.Readings().transpose();
   }
 }
 
-void FullCycle::FindPressures(const Eigen::MatrixXd& position) {
+void FullCycle::FindMemory(const Eigen::MatrixXd& position) {
   const Eigen::Index samples = transform_->samples();
-  Eigen::MatrixXd extensions(samples, static_cast<Eigen::Index>(full_.hydraulics().size()));
+  std::vector<std::size_t> elements = full_.hydraulics();
+  elements.insert(elements.end(), full_.frictions().begin(), full_.frictions().end());
+  Eigen::MatrixXd extensions(samples, static_cast<Eigen::Index>(elements.size()));
   for (Eigen::Index k = 0; k < samples; ++k)
-    extensions.row(k) = full_.HydraulicExtensions(position.row(k).transpose()).transpose();
+    extensions.row(k) = full_.MemoryExtensions(position.row(k).transpose()).transpose();
   Eigen::MatrixXcd full;
   transform_->ToHarmonics(extensions, full);
   const Eigen::MatrixXcd& linearised = cycle().extension();
-  for (std::size_t i = 0; i < full_.hydraulics().size(); ++i) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
     Eigen::VectorXcd extension = Eigen::VectorXcd::Zero(std::max(linearised.rows(), full.rows()));
-    extension.head(linearised.rows()) = linearised.col(static_cast<Eigen::Index>(full_.hydraulics()[i]));
+    extension.head(linearised.rows()) = linearised.col(static_cast<Eigen::Index>(elements[i]));
     extension.head(full.rows()) = full.col(static_cast<Eigen::Index>(i));
-    FindPressures(i, extension);
+    const std::size_t oil = full_.hydraulics().size();
+    if (i < oil) FindPressures(i, StepsOf(extension));
+    else FindFriction(i - oil, StepsOf(extension));
   }
 }
 
-/// By its cycle in at least as many steps as the linearised one needed, the samples among them.
-void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extension) {
+/// At least as many steps as the linearised cycle needed, the samples among them.
+FullCycle::SteppedCycle FullCycle::StepsOf(const Eigen::VectorXcd& extension) const {
   const Eigen::Index samples = transform_->samples();
-  const auto port = static_cast<Eigen::Index>(full_.hydraulics()[damper]);
-  const auto& law = std::get<HydraulicRemainder>(cycle().ports()[full_.hydraulics()[damper]].law).law;
   const Eigen::Index highest = extension.size() - 1;
-  const Eigen::Index stride = std::max(cycle().steps(), 4 * highest + 4) / samples + 1;
-  const Eigen::Index steps = stride * samples;
-  const CycleTransform& fine = CycleTransform::Shared(static_cast<int>(highest), static_cast<int>(steps));
-  const Eigen::VectorXcd rates = Rates(highest);
-  Eigen::MatrixXd extensions;
-  Eigen::MatrixXd extension_rates;
-  fine.ToTime(extension, extensions);
-  fine.ToTime(rates.asDiagonal() * extension, extension_rates);
-  const auto count = static_cast<std::size_t>(steps);
+  SteppedCycle cycle{.stride = std::max(this->cycle().steps(), 4 * highest + 4) / samples + 1};
+  const CycleTransform& fine =
+      CycleTransform::Shared(static_cast<int>(highest), static_cast<int>(cycle.stride * samples));
+  fine.ToTime(extension, cycle.extensions);
+  fine.ToTime(Rates(highest).asDiagonal() * extension, cycle.rates);
+  return cycle;
+}
+
+void FullCycle::FindPressures(std::size_t damper, const SteppedCycle& steps) {
+  const std::size_t port = full_.hydraulics()[damper];
+  const auto& law = std::get<HydraulicRemainder>(cycle().ports()[port].law).law;
+  const auto count = static_cast<std::size_t>(steps.extensions.rows());
   const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(
-      law, 2 * std::numbers::pi / omega_, {extensions.data(), count}, {extension_rates.data(), count});
+      law, 2 * std::numbers::pi / omega_, {steps.extensions.data(), count}, {steps.rates.data(), count});
   if (!cycle) throw SimulationError(kChamberCloses);
-  Eigen::MatrixXd tensions(steps, 1);
-  for (Eigen::Index k = 0; k < steps; ++k) tensions(k, 0) = cycle->states()[static_cast<std::size_t>(k)].tension;
-  Eigen::MatrixXd sampled(samples, 1);
-  for (Eigen::Index k = 0; k < samples; ++k) {
-    sampled(k, 0) = tensions(k * stride, 0);
-    const std::array<double, 2>& pressures = cycle->states()[static_cast<std::size_t>(k * stride)].pressures;
+  Eigen::MatrixXd tensions(steps.extensions.rows(), 1);
+  for (std::size_t k = 0; k < count; ++k) tensions(static_cast<Eigen::Index>(k), 0) = cycle->states()[k].tension;
+  for (Eigen::Index k = 0; k < transform_->samples(); ++k) {
+    const std::array<double, 2>& pressures = cycle->states()[static_cast<std::size_t>(k * steps.stride)].pressures;
     for (std::size_t c = 0; c < 2; ++c)
-      pressures_(k, static_cast<Eigen::Index>(2 * damper + c)) = (pressures[c] - law.damper.Rest()[c]) / kMegapascal;
+      memory_(k, static_cast<Eigen::Index>(2 * damper + c)) = (pressures[c] - law.damper.Rest()[c]) / kMegapascal;
   }
+  NoteAliases(port, tensions);
+}
+
+void FullCycle::FindFriction(std::size_t friction, const SteppedCycle& steps) {
+  const std::size_t port = full_.frictions()[friction];
+  const DahlFriction& law = std::get<FrictionRemainder>(cycle().ports()[port].law).law;
+  const auto count = static_cast<std::size_t>(steps.extensions.rows());
+  const DahlCycle cycle(law, {steps.extensions.data(), count});
+  const Eigen::Map<const Eigen::VectorXd> tensions(cycle.forces().data(), steps.extensions.rows());
+  const auto column = static_cast<Eigen::Index>(2 * full_.hydraulics().size() + friction);
+  for (Eigen::Index k = 0; k < transform_->samples() && law.force > 0; ++k)
+    memory_(k, column) = tensions[k * steps.stride] / law.force;
+  NoteAliases(port, tensions);
+}
+
+/// `tensions`: at the steps of a cycle.
+void FullCycle::NoteAliases(std::size_t port, const Eigen::MatrixXd& tensions) {
+  const Eigen::Index samples = transform_->samples();
+  const Eigen::Index stride = tensions.rows() / samples;
+  Eigen::MatrixXd sampled(samples, 1);
+  for (Eigen::Index k = 0; k < samples; ++k) sampled(k, 0) = tensions(k * stride, 0);
   Eigen::MatrixXcd of_samples;
   Eigen::MatrixXcd of_steps;
   transform_->ToHarmonics(sampled, of_samples);
-  CycleTransform::Shared(transform_->harmonics(), static_cast<int>(steps)).ToHarmonics(tensions, of_steps);
-  tension_aliases_.col(port) = of_samples - of_steps;
+  CycleTransform::Shared(transform_->harmonics(), static_cast<int>(tensions.rows())).ToHarmonics(tensions, of_steps);
+  tension_aliases_.col(static_cast<Eigen::Index>(port)) = of_samples - of_steps;
 }
 
 /// Of the harmonics 0, 1, .. to the highest, by amplitude.

@@ -44,9 +44,18 @@ class FullCycle {
   /// Lacking force of the full system at each sample, in the columns of [s x], and, if requested, the readings of its
   /// sensors.
   void SampleCycle(const Eigen::MatrixXcd& motion, bool read);
-  /// Pressures of the hydraulic dampers at each sample. Throws std::runtime_error if they have none.
-  void FindPressures(const Eigen::MatrixXd& position);
-  void FindPressures(std::size_t damper, const Eigen::VectorXcd& extension);
+  /// Memory of the elements that have one at each sample. Throws std::runtime_error if a hydraulic damper has none.
+  void FindMemory(const Eigen::MatrixXd& position);
+  /// A cycle of an element with a memory, in `stride` steps per sample.
+  struct SteppedCycle {
+    Eigen::Index stride = 1;
+    Eigen::MatrixXd extensions;
+    Eigen::MatrixXd rates;
+  };
+  SteppedCycle StepsOf(const Eigen::VectorXcd& extension) const;
+  void FindPressures(std::size_t damper, const SteppedCycle& steps);
+  void FindFriction(std::size_t friction, const SteppedCycle& steps);
+  void NoteAliases(std::size_t port, const Eigen::MatrixXd& tensions);
   Eigen::VectorXcd Rates(Eigen::Index highest) const;
   LinearisedCycle& cycle() { return contact_.cycle(); }
   const LinearisedCycle& cycle() const { return contact_.cycle(); }
@@ -72,9 +81,9 @@ class FullCycle {
   /// Samples in rows.
   Eigen::MatrixXd lacking_;
   Eigen::MatrixXd readings_;
-  /// Of the hydraulic dampers at the samples, two each [MPa above rest].
-  Eigen::MatrixXd pressures_;
-  /// (H + 1) x ports: error of the samples' harmonics of the hydraulic dampers' tensions.
+  /// At the samples, see LackingForces::Motion.
+  Eigen::MatrixXd memory_;
+  /// (H + 1) x ports: error of the samples' harmonics of the tensions of elements with a memory.
   Eigen::MatrixXcd tension_aliases_;
   SensorHarmonics sensors_;
   /// Difference of the sensor readings from the full system.

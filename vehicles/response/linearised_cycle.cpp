@@ -20,14 +20,15 @@ int HarmonicsOf(std::size_t level) { return (4 << level) + 1; }
 int SamplesOf(std::size_t level, bool has_steps) { return has_steps ? (28 << level) + 4 : 4 * HarmonicsOf(level) + 4; }
 
 bool HasFriction(const std::vector<Port>& ports) {
-  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) {
+    return std::isfinite(StepOfRate(port.law)) || std::holds_alternative<FrictionRemainder>(port.law);
+  });
 }
 
 /// Friction does, and vapour that collapses in a hydraulic damper.
 bool HasSteps(const std::vector<Port>& ports) {
-  return HasFriction(ports) || std::any_of(ports.begin(), ports.end(), [](const Port& port) {
-           return std::holds_alternative<HydraulicRemainder>(port.law);
-         });
+  return HasFriction(ports) ||
+         std::any_of(ports.begin(), ports.end(), [](const Port& port) { return HasMemory(port.law); });
 }
 
 /// See HarmonicBalanceOptions::few_harmonics.

@@ -16,7 +16,7 @@ MeanSlopeStep::MeanSlopeStep(const PortCycle& cycle) {
   const auto ports = static_cast<Eigen::Index>(cycle.ports().size());
   for (Eigen::Index j = 0; j < ports; ++j) {
     const PortLaw& law = cycle.ports()[static_cast<std::size_t>(j)].law;
-    if (std::holds_alternative<HydraulicRemainder>(law)) continue;
+    if (HasMemory(law)) continue;
     if (!UsesExtension(law) && !std::isfinite(StepOfRate(law))) continue;
     RemainderSlopes(law, Samples(cycle.extension_time(), j), Samples(cycle.rate_time(), j), Room(slopes, 0),
                     Room(slopes, 1));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "vehicles/condensed/port.h"
 #include "vehicles/response/march.h"
@@ -53,7 +54,10 @@ std::vector<bool> MayHaveSeveralMotions(const CondensedModel& model, const Excit
                                         const HarmonicBalanceOptions& options) {
   const std::vector<Port> ports = HeldPortsOf(model);
   const std::size_t count = excitation.frequency_Hz.size();
-  if (std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); }))
+  // The motion under friction that sticks forgets how it began.
+  if (std::any_of(ports.begin(), ports.end(), [](const Port& port) {
+        return UsesExtension(port.law) && !std::holds_alternative<FrictionRemainder>(port.law);
+      }))
     return std::vector<bool>(count, true);
   std::vector<bool> several(count, false);
   if (model.liftoffs.empty()) return several;

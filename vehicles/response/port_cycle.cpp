@@ -60,8 +60,7 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
   for (const Port& port : ports) kinks_.push_back(KinksOf(port.law));
   has_friction_ =
       std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
-  has_memory_ = std::any_of(ports.begin(), ports.end(),
-                            [](const Port& port) { return std::holds_alternative<HydraulicRemainder>(port.law); });
+  has_memory_ = std::any_of(ports.begin(), ports.end(), [](const Port& port) { return HasMemory(port.law); });
   remainder_time_.setZero(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
 }
 
@@ -232,14 +231,14 @@ void PortCycle::FindRemainders() {
   if (uses_extension_) transform_.ToTime(extension_, extension_time_);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
-    if (!std::holds_alternative<HydraulicRemainder>(ports_[j].law))
+    if (!HasMemory(ports_[j].law))
       MendedRemainders(ports_[j].law, kinks_[j], Samples(extension_time_, column), Samples(rate_time_, column),
                        Room(remainder_time_, column));
   }
   transform_.ToHarmonics(remainder_time_, remainder_);
   for (std::size_t j = 0; j < ports_.size(); ++j)
-    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&ports_[j].law))
-      remainder_.col(static_cast<Eigen::Index>(j)) = RemainderOf(*hydraulic, static_cast<Eigen::Index>(j));
+    if (HasMemory(ports_[j].law))
+      remainder_.col(static_cast<Eigen::Index>(j)) = RemainderOf(ports_[j].law, static_cast<Eigen::Index>(j));
 }
 
 Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
@@ -252,7 +251,7 @@ Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
   transform.ToTime(RateOf(extension, omega_), rates);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
-    if (std::holds_alternative<HydraulicRemainder>(ports_[j].law)) continue;
+    if (HasMemory(ports_[j].law)) continue;
     Remainders(ports_[j].law, Samples(extensions, column), Samples(rates, column), Room(remainders, column));
   }
   Eigen::MatrixXcd harmonics;
@@ -261,7 +260,7 @@ Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
 }
 
 /// Less the linear vehicle's share, exactly at each harmonic.
-Eigen::VectorXcd PortCycle::RemainderOf(const HydraulicRemainder& law, Eigen::Index port) const {
+Eigen::VectorXcd PortCycle::RemainderOf(const PortLaw& law, Eigen::Index port) const {
   const SteppedMotion motion = StepsOf(port);
   Eigen::MatrixXd remainder(steps_.samples(), 1);
   CycleRemainders(law, Period(), Samples(motion.extension, 0), Samples(motion.rate, 0), Room(remainder, 0));

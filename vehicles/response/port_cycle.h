@@ -63,8 +63,8 @@ class PortCycle {
   double Period() const;
   const std::vector<Port>& ports() const { return ports_; }
 
-  /// Harmonics of the nonlinear force if this port had a law with memory.
-  Eigen::VectorXcd RemainderOf(const HydraulicRemainder& law, Eigen::Index port) const;
+  /// Harmonics of the nonlinear force if this port had this law with memory.
+  Eigen::VectorXcd RemainderOf(const PortLaw& law, Eigen::Index port) const;
 
   /// Whether sharp transitions of the forces, such as friction's, have a sample each time they are passed at full
   /// velocity.

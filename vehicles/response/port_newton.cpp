@@ -67,8 +67,8 @@ std::vector<PortCoupling> Couplings(const PortCycle& cycle, Eigen::Index size) {
   std::vector<PortCoupling> couplings;
   for (std::size_t j = 0; j < cycle.ports().size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
-    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&cycle.ports()[j].law)) {
-      couplings.push_back(CycleCoupling(cycle, *hydraulic, column, size));
+    if (const PortLaw& law = cycle.ports()[j].law; HasMemory(law)) {
+      couplings.push_back(CycleCoupling(cycle, law, column, size));
       continue;
     }
     RemainderSlopes(cycle.ports()[j].law, Samples(cycle.extension_time(), column), Samples(cycle.rate_time(), column),
@@ -99,8 +99,7 @@ std::vector<PortCoupling> Couplings(const PortCycle& cycle, Eigen::Index size) {
 
 /// By the remainder's change with the real and the imaginary part of each harmonic, r and i:
 ///   dR = r dRe(E) + i dIm(E) = (r - j i) / 2 dE + (r + j i) / 2 conj(dE),   j: the imaginary unit
-PortCoupling CycleCoupling(const PortCycle& cycle, const HydraulicRemainder& law, Eigen::Index port,
-                           Eigen::Index size) {
+PortCoupling CycleCoupling(const PortCycle& cycle, const PortLaw& law, Eigen::Index port, Eigen::Index size) {
   const Complex imaginary(0, 1);
   Eigen::MatrixXcd units(size, 2 * size - 1);
   units << Eigen::MatrixXcd::Identity(size, size),

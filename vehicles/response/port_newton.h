@@ -15,7 +15,7 @@ struct PortCoupling {
 };
 
 /// For a port whose law has memory, for `size` harmonics from the mean on.
-PortCoupling CycleCoupling(const PortCycle& cycle, const HydraulicRemainder& law, Eigen::Index port, Eigen::Index size);
+PortCoupling CycleCoupling(const PortCycle& cycle, const PortLaw& law, Eigen::Index port, Eigen::Index size);
 
 /// Newton's step dE - receptance dR = step from the fixed-point iteration's `step`, (H + 1) x ports, for the ports
 /// whose nonlinear forces change; the others follow, and so do the harmonics beyond the first `rows`.

@@ -1,5 +1,6 @@
 #include "vehicles/response/reduced_march.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +17,15 @@ double TurningSpeed(const CondensedModel& model) {
   return speed;
 }
 
+/// In which friction that sticks turns round at this acceleration [s]; infinite without any.
+double TurningTime(const CondensedModel& model, double acceleration) {
+  double time = std::numeric_limits<double>::infinity();
+  for (const CondensedModel::Rubbing& friction : model.rubbings)
+    if (friction.law.force > 0)
+      time = std::min(time, std::sqrt(2 * friction.law.force / friction.law.stiffness / acceleration));
+  return time;
+}
+
 /// Friction turns round within TurningSpeed over the acceleration, of some A w^2, and jumps in accelerations alias into
 /// their harmonics: steps resolve the one, samples the other. 128 samples a cycle alone left 7e-3.
 MarchedResponse MarchOne(const CondensedModel& model, const RigView& rig, const Excitation& one, MarchOptions options) {
@@ -25,7 +35,8 @@ MarchedResponse MarchOne(const CondensedModel& model, const RigView& rig, const 
   constexpr int kMostSamples = 512;
   const double frequency = one.frequency_Hz[0];
   const double acceleration = one.amplitude_m[0] * std::pow(2 * std::numbers::pi * frequency, 2);
-  const double step = std::clamp(0.5 * TurningSpeed(model) / acceleration, kShortestStep_s, kLongestStep_s);
+  const double turning = std::min(0.5 * TurningSpeed(model) / acceleration, 0.2 * TurningTime(model, acceleration));
+  const double step = std::clamp(turning, kShortestStep_s, kLongestStep_s);
   const double samples = std::clamp(1 / (frequency * kLongestStep_s), double{kFewestSamples}, double{kMostSamples});
   options.samples_per_cycle = static_cast<int>(samples);
   CondensedSystem system(model, rig, step);

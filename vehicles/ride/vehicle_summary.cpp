@@ -42,10 +42,14 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
   summary.spring_tension = model.preloads.spring;
   const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
   summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, parameters);
-  summary.chassis = ChassisNumbersOf(vehicle, pose, summary.suspension, held, summary.ride, model.preloads.tyre, whole,
-                                     parameters);
+  summary.chassis =
+      ChassisNumbersOf(vehicle, pose, summary.suspension, held, summary.ride, model.preloads.tyre, whole, parameters);
   summary.modes = ModesOf(model);
   NameModes(vehicle, pose, summary.suspension, held, summary.modes);
+  if (!model.rubbings.empty()) {
+    summary.stuck_modes = ModesOf(model.Stuck());
+    NameModes(vehicle, pose, summary.suspension, held, summary.stuck_modes);
+  }
   summary.growth_rate = EigenvaluesOf(StateMatrix(model)).real().maxCoeff();
   summary.views = ParameterViews(vehicle, condensed, parameters);
   return summary;

@@ -35,7 +35,10 @@ struct VehicleSummary {
   std::vector<double> spring_tension;
   RideGeometry ride;
   ChassisNumbers chassis;
+  /// Friction that sticks is taken as sliding.
   std::vector<Mode> modes;
+  /// The same while all such friction sticks; empty for a vehicle without any.
+  std::vector<Mode> stuck_modes;
   /// Largest real part of all poles, oscillating or not [1/s]: above zero the design pose is unstable.
   double growth_rate = 0;
   /// One per free parameter.

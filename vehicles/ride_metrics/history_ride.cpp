@@ -132,7 +132,22 @@ struct HistoryAnswer {
     std::vector<double> force(static_cast<std::size_t>(speed.size()));
     damper.law.At(values).Forces({speed.data(), force.size()}, force);
     strut.power_W = (speed * Eigen::Map<const ArrayXd>(force.data(), speed.size())).mean();
+    if (const std::optional<DahlFriction> friction = damper.law.StickingAt(values))
+      strut.power_W += PowerOf(*friction, extension);
     return strut;
+  }
+
+  /// Over a record that begins at rest; springs that it leaves bent count as lost.
+  double PowerOf(const DahlFriction& friction, const ArrayXd& extension) const {
+    double force = 0;
+    double work = 0;
+    for (Eigen::Index k = 1; k < extension.size(); ++k) {
+      const double stroke = extension[k] - extension[k - 1];
+      const double after = friction.After(force, stroke).force;
+      work += 0.5 * (force + after) * stroke;
+      force = after;
+    }
+    return work * history.rate_Hz / static_cast<double>(extension.size() - 1);
   }
 
   std::vector<RideMetrics::Stop> Stops() const {

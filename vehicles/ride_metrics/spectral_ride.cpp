@@ -26,7 +26,7 @@ std::vector<int> DashpotsOf(const Vehicle& vehicle) {
   int next = 0;
   for (const Damper& damper : vehicle.dampers) {
     dashpots.push_back(damper.hydraulic ? -1 : next);
-    next += damper.hydraulic && damper.law.friction ? 2 : 1;
+    next += damper.hydraulic && damper.law.friction && !damper.law.Sticks() ? 2 : 1;
   }
   return dashpots;
 }
@@ -173,6 +173,11 @@ std::vector<RideMetrics::Strut> SpectralRide::Answer::Struts() const {
       const double speed = ride.DeviationOf(response.dashpots.row(dashpots[i]), ride.rate_shares_);
       const DashpotLaw& law = model.dashpots[static_cast<std::size_t>(dashpots[i])].law;
       strut.power_W = GainOf(DashpotRemainder{law, 0}, {.rate_sd = speed}).by_rate * speed * speed;
+      if (const std::optional<DahlFriction> friction = vehicle().dampers[i].law.StickingAt(values))
+        strut.power_W +=
+            GainOf(FrictionRemainder{*friction}, {.extension_sd = motion.deviation, .rate_sd = motion.rate_deviation})
+                .by_rate *
+            motion.rate_deviation * motion.rate_deviation;
     }
     struts.push_back(std::move(strut));
   }

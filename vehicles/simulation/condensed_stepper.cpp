@@ -258,6 +258,8 @@ void CondensedStepper::SetState(const Eigen::VectorXd& state, std::span<const Po
   SetPosts(posts);
   state_ = state;
   added_.setZero();
+  at_start_.Rest();
+  at_end_.Rest();
   FinishStart();
 }
 
@@ -267,8 +269,12 @@ void CondensedStepper::FinishStart() {
   acting_ = AnyTyrePulls() ? ports : held_;
   trend_.setZero();
   if (acting_ == 0) remainder_.setZero();
-  else if (SolvePorts(at_start_, acting_)) at_start_.Advance();
-  else ++unsolved_steps_;
+  else if (SolvePorts(at_start_, acting_)) {
+    at_start_.Advance();
+    at_end_.RememberFriction(at_start_.memory());
+  } else {
+    ++unsolved_steps_;
+  }
 }
 
 void CondensedStepper::Step(std::span<const PostState> posts) {

@@ -19,10 +19,10 @@ namespace fourpost {
 /// linear in time between the ends, where all laws hold. Linear vehicles err by h^4 of the posts' motion within a step,
 /// others by h^2. Dashpots of any rate are stable at any step length, because centre rates keep their nonlinear parts
 /// within the damping of their linear parts. A stop that adds the rate k to a mass m needs h < 3.4 sqrt(m / k), as in
-/// Newmark's method of linear acceleration. The oil of hydraulic dampers is integrated by HydraulicStep. Tyres that may
-/// lift off are taken as linear in a step; if one would pull at its end, the step is repeated with their ports.
-/// Matrices are computed once, those of lift-off when a tyre first lifts; a step allocates nothing. With added forces g
-/// on [s x], linear in time over a step like r,
+/// Newmark's method of linear acceleration. The oil of hydraulic dampers is integrated by HydraulicStep, friction that
+/// sticks by FrictionStep. Tyres that may lift off are taken as linear in a step; if one would pull at its end, the
+/// step is repeated with their ports. Matrices are computed once, those of lift-off when a tyre first lifts; a step
+/// allocates nothing. With added forces g on [s x], linear in time over a step like r,
 ///   X' = A X + B z + C z' + P r + G g,
 /// and the ports of all tyres are included in each step.
 class CondensedStepper {
@@ -41,8 +41,8 @@ class CondensedStepper {
   /// The vehicle at rest in its design pose, the posts as given.
   void Start(std::span<const PostState> posts);
 
-  /// Sets another state, for example corrected by a filter, the posts as given. Not for vehicles with hydraulic
-  /// dampers, whose oil has a memory of its own.
+  /// Sets another state, for example corrected by a filter, the posts as given. Friction that sticks has come there
+  /// from the design pose in one stroke. Not for vehicles with hydraulic dampers, whose oil has a memory of its own.
   void SetState(const Eigen::VectorXd& state, std::span<const PostState> posts);
 
   /// One step, to these posts. For Forces::kNone.

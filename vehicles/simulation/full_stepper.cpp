@@ -44,10 +44,16 @@ FullStepper::FullStepper(Multibody& multibody, const CondensedModel& model, doub
   posts_.resize(stepper_.post_count());
   const std::vector<Port> ports = PortsOf(model);
   for (const std::size_t j : full_.hydraulics()) {
-    hydraulic_directions_.push_back(ports[j].direction);
+    memory_directions_.push_back(ports[j].direction);
     oil_.emplace_back(std::get<HydraulicRemainder>(ports[j].law), stepper_.step_s());
   }
-  extensions_.resize(parts + 1, static_cast<Index>(oil_.size()));
+  for (const std::size_t j : full_.frictions()) {
+    const DahlFriction& law = std::get<FrictionRemainder>(ports[j].law).law;
+    memory_directions_.push_back(ports[j].direction);
+    frictions_.emplace_back(law);
+    sliding_.push_back(law.force);
+  }
+  extensions_.resize(parts + 1, static_cast<Index>(memory_directions_.size()));
 }
 
 void FullStepper::Start(const PostMotion& posts, double t, const Eigen::VectorXd& released) {
@@ -62,11 +68,7 @@ void FullStepper::Start(const PostMotion& posts, double t, const Eigen::VectorXd
   largest_ = Size(
       (Eigen::VectorXd(full_.size()) << 0.01 * mass_.diagonal(), Eigen::VectorXd::Zero(full_.size() - mass_.rows()))
           .finished());
-  extra_.setZero(static_cast<Index>(oil_.size()));
-  for (HydraulicStep& oil : oil_) oil.Rest();
-  extensions_.setZero();
-  oil_at_start_ = oil_;
-  extra_at_start_ = extra_;
+  StartMemory(released.size() > 0);
   const Eigen::VectorXd lacking = Lacking(t);
   if (released.size() > 0) {
     stepper_.Store(moment_);
@@ -77,6 +79,33 @@ void FullStepper::Start(const PostMotion& posts, double t, const Eigen::VectorXd
   readings_ = full_.Readings();
 }
 
+void FullStepper::StartMemory(bool is_released) {
+  extra_.setZero(extensions_.cols());
+  extensions_.setZero();
+  for (HydraulicStep& oil : oil_) oil.Rest();
+  for (FrictionStep& friction : frictions_) friction.Rest();
+  if (is_released && full_.HasMemory()) {
+    for (std::size_t i = 0; i < memory_directions_.size(); ++i)
+      extensions_.col(static_cast<Index>(i)).setConstant(memory_directions_[i].dot(Position()));
+    extra_ = full_.MemoryExtensions(Position()) - extensions_.row(0).transpose();
+    for (std::size_t i = 0; i < frictions_.size(); ++i) {
+      const auto column = static_cast<Index>(oil_.size() + i);
+      frictions_[i].Tension(extensions_(0, column) + extra_[column]);
+      frictions_[i].Advance();
+    }
+  }
+  oil_at_start_ = oil_;
+  frictions_at_start_ = frictions_;
+  extra_at_start_ = extra_;
+}
+
+/// [s x] of the reduced model now.
+Eigen::VectorXd FullStepper::Position() const {
+  Eigen::VectorXd position(full_.size());
+  position << stepper_.state().head(mass_.rows()), stepper_.state().tail(full_.size() - mass_.rows());
+  return position;
+}
+
 void FullStepper::StepParts(const PostMotion& posts, const Eigen::VectorXd& added) {
   const double begin = start_s_ + static_cast<double>(steps_ * parts_) * stepper_.step_s();
   const Index n = mass_.rows();
@@ -84,35 +113,46 @@ void FullStepper::StepParts(const PostMotion& posts, const Eigen::VectorXd& adde
     const double share = static_cast<double>(part) / static_cast<double>(parts_);
     posts(begin + static_cast<double>(part) * stepper_.step_s(), posts_);
     stepper_.Step(posts_, added_ + share * (added - added_));
-    for (std::size_t i = 0; i < oil_.size(); ++i)
+    for (std::size_t i = 0; i < memory_directions_.size(); ++i)
       extensions_(part, static_cast<Index>(i)) =
-          hydraulic_directions_[i].head(n).dot(stepper_.state().head(n)) +
-          hydraulic_directions_[i].tail(full_.size() - n).dot(stepper_.state().tail(full_.size() - n));
+          memory_directions_[i].head(n).dot(stepper_.state().head(n)) +
+          memory_directions_[i].tail(full_.size() - n).dot(stepper_.state().tail(full_.size() - n));
   }
 }
 
-/// By the oil's own steps, through the extensions of the full system: those of the condensed one, and straight from the
-/// start to the end what they differ by.
-Eigen::VectorXd FullStepper::Pressures(const Eigen::VectorXd& position) {
+/// In the full system, `part` steps of the reduced model after the start: that of the condensed one, and straight from
+/// the start to the end what they differ by.
+double FullStepper::MemoryExtension(std::size_t element, long part) const {
+  const auto column = static_cast<Index>(element);
+  const double share = static_cast<double>(part) / static_cast<double>(parts_);
+  return extensions_(part, column) + extra_at_start_[column] + share * (extra_[column] - extra_at_start_[column]);
+}
+
+/// By the elements' own steps.
+Eigen::VectorXd FullStepper::Memory(const Eigen::VectorXd& position) {
   constexpr double kMegapascal = 1e6;
-  Eigen::VectorXd pressures(2 * static_cast<Index>(oil_.size()));
-  if (oil_.empty()) return pressures;
-  const Eigen::VectorXd extensions = full_.HydraulicExtensions(position);
+  Eigen::VectorXd memory(2 * static_cast<Index>(oil_.size()) + static_cast<Index>(frictions_.size()));
+  if (!full_.HasMemory()) return memory;
+  extra_ = full_.MemoryExtensions(position) - extensions_.row(parts_).transpose();
   for (std::size_t i = 0; i < oil_.size(); ++i) {
-    const auto column = static_cast<Index>(i);
-    extra_[column] = extensions[column] - extensions_(parts_, column);
     oil_[i] = oil_at_start_[i];
     for (long part = 1; part <= parts_; ++part) {
-      const double share = static_cast<double>(part) / static_cast<double>(parts_);
-      const double extension =
-          extensions_(part, column) + extra_at_start_[column] + share * (extra_[column] - extra_at_start_[column]);
-      if (!std::isfinite(oil_[i].Remainder(extension, 0))) throw SimulationError(kChamberCloses);
+      if (!std::isfinite(oil_[i].Remainder(MemoryExtension(i, part), 0))) throw SimulationError(kChamberCloses);
       oil_[i].Advance();
     }
     const std::array<double, 2> above = oil_[i].PressuresAboveRest();
-    for (Index c = 0; c < 2; ++c) pressures[2 * column + c] = above[static_cast<std::size_t>(c)] / kMegapascal;
+    for (std::size_t c = 0; c < 2; ++c) memory[static_cast<Index>(2 * i + c)] = above[c] / kMegapascal;
   }
-  return pressures;
+  for (std::size_t i = 0; i < frictions_.size(); ++i) {
+    frictions_[i] = frictions_at_start_[i];
+    double tension = 0;
+    for (long part = 1; part <= parts_; ++part) {
+      tension = frictions_[i].Tension(MemoryExtension(oil_.size() + i, part));
+      frictions_[i].Advance();
+    }
+    memory[static_cast<Index>(2 * oil_.size() + i)] = sliding_[i] > 0 ? tension / sliding_[i] : 0;
+  }
+  return memory;
 }
 
 Eigen::VectorXd FullStepper::Lacking(double t) {
@@ -124,7 +164,7 @@ Eigen::VectorXd FullStepper::Lacking(double t) {
   motion_.rate.resize(full_.size());
   motion_.rate << rate.head(n), rate.tail(series);
   motion_.acceleration = rate.segment(n, n);
-  motion_.pressures = Pressures(motion_.position);
+  motion_.memory = Memory(motion_.position);
   ++evaluations_;
   return full_.At(t, motion_);
 }
@@ -133,6 +173,7 @@ void FullStepper::Step(const PostMotion& posts) {
   const double end = start_s_ + static_cast<double>((steps_ + 1) * parts_) * stepper_.step_s();
   stepper_.Store(moment_);
   oil_at_start_ = oil_;
+  frictions_at_start_ = frictions_;
   extra_at_start_ = extra_;
   extensions_.row(0) = extensions_.row(parts_);
   Eigen::VectorXd added = 2 * added_ - before_;

@@ -8,6 +8,7 @@
 #include "vehicles/condensed/lacking_forces.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/simulation/condensed_stepper.h"
+#include "vehicles/simulation/friction_step.h"
 #include "vehicles/simulation/hydraulic_step.h"
 
 namespace fourpost {
@@ -26,7 +27,7 @@ class FullStepper {
   FullStepper(Multibody& multibody, const CondensedModel& model, double step_s, long parts);
 
   /// At rest in the design pose at time t, or in this state [s s' x] of the reduced model, where g follows from one
-  /// evaluation; without hydraulic dampers then.
+  /// evaluation, and where friction that sticks has come in one stroke; without hydraulic dampers then.
   void Start(const PostMotion& posts, double t, const Eigen::VectorXd& released = {});
 
   /// One step H. Throws SimulationError if g is not found.
@@ -45,7 +46,10 @@ class FullStepper {
   void StepParts(const PostMotion& posts, const Eigen::VectorXd& added);
   /// There, at time t.
   Eigen::VectorXd Lacking(double t);
-  Eigen::VectorXd Pressures(const Eigen::VectorXd& position);
+  Eigen::VectorXd Memory(const Eigen::VectorXd& position);
+  double MemoryExtension(std::size_t element, long part) const;
+  void StartMemory(bool is_released);
+  Eigen::VectorXd Position() const;
   /// Of forces on [s x], comparable with other sizes.
   double Size(const Eigen::VectorXd& forces) const { return forces.cwiseProduct(weights_).norm(); }
 
@@ -67,11 +71,16 @@ class FullStepper {
   LackingForces::Motion motion_;
   Eigen::VectorXd readings_;
 
-  /// Extensions of the hydraulic dampers in the full system: at the start of the step and at its end.
-  std::vector<Eigen::VectorXd> hydraulic_directions_;
+  /// Elements with a memory, hydraulic dampers first, stepped through their extensions in the full system: at the start
+  /// of the step and at its end.
+  std::vector<Eigen::VectorXd> memory_directions_;
   std::vector<HydraulicStep> oil_at_start_;
   std::vector<HydraulicStep> oil_;
-  /// (parts + 1) x hydraulic dampers: extensions in the reduced model over the step; ...
+  std::vector<FrictionStep> frictions_at_start_;
+  std::vector<FrictionStep> frictions_;
+  /// Sliding forces of the latter [N].
+  std::vector<double> sliding_;
+  /// (parts + 1) x elements: extensions in the reduced model over the step; ...
   Eigen::MatrixXd extensions_;
   /// ... and the excess of those in the full system.
   Eigen::VectorXd extra_at_start_;

@@ -11,7 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-bool HasMemory(const Port& port) { return std::holds_alternative<HydraulicRemainder>(port.law); }
+bool IsHydraulic(const Port& port) { return std::holds_alternative<HydraulicRemainder>(port.law); }
+bool IsFriction(const Port& port) { return std::holds_alternative<FrictionRemainder>(port.law); }
 
 /// Within `share` of its direction.
 bool IsSameElement(const Port& a, const Port& b, double share) {
@@ -51,6 +52,12 @@ std::vector<Port> InPlace(const std::vector<Port>& ports, const std::vector<Port
   return aligned;
 }
 
+/// Its force would need a memory of its own.
+bool IsFrictionAdded(const std::vector<Port>& others, const Match& match) {
+  return std::any_of(match.added.begin(), match.added.end(),
+                     [&](int i) { return IsFriction(others[static_cast<std::size_t>(i)]); });
+}
+
 bool IsLiftoffLost(const std::vector<Port>& ports, const Match& match) {
   for (std::size_t j = 0; j < ports.size(); ++j)
     if (ports[j].liftoff >= 0 && match.of_model[j] < 0) return true;
@@ -66,8 +73,10 @@ bool MotionSensitivity::Covers(const CondensedModel& model, const CondensedModel
     return false;
   const std::vector<Port> ports = PortsOf(model);
   const std::vector<Port> others = PortsOf(neighbour);
-  return std::none_of(ports.begin(), ports.end(), HasMemory) && std::none_of(others.begin(), others.end(), HasMemory) &&
-         !IsLiftoffLost(ports, Matched(ports, others));
+  const Match match = Matched(ports, others);
+  return std::none_of(ports.begin(), ports.end(), IsHydraulic) &&
+         std::none_of(others.begin(), others.end(), IsHydraulic) && !IsLiftoffLost(ports, match) &&
+         !IsFrictionAdded(others, match);
 }
 
 MotionSensitivity::MotionSensitivity(const CondensedModel& model, std::span<const CondensedModel> neighbours,
@@ -100,6 +109,19 @@ MotionSensitivity::MotionSensitivity(const CondensedModel& model, std::span<cons
   remainder_.setZero(base.remainder_.size(), count());
   free_ = state_;
   extension_ = rate_ = remainder_;
+  for (std::size_t j = 0; j < base.ports_.size(); ++j)
+    if (IsFriction(base.ports_[j])) frictions_.push_back(static_cast<Index>(j));
+  friction_extension_.setZero(std::ssize(frictions_), count());
+  friction_force_ = friction_extension_;
+}
+
+/// What the friction of the next step starts from.
+void MotionSensitivity::NoteFrictions(const CondensedStepper& base) {
+  if (frictions_.empty()) return;
+  extension_.noalias() = base.extension_on_state_ * state_;
+  Add(extension_on_state_, base.state_, extension_);
+  friction_extension_ = extension_(frictions_, Eigen::all);
+  friction_force_ = remainder_(frictions_, Eigen::all);
 }
 
 /// To first order their forces act on the model as it is: on one that has them all.
@@ -197,6 +219,11 @@ void MotionSensitivity::SolvePorts(const CondensedStepper& base, const PortSolve
   for (const Law& law : laws_)
     if (law.port < ports)
       remainder_(law.port, law.neighbour) = law.law ? solver.Departure(law.port, *law.law) : -base.remainder_[law.port];
+  for (std::size_t k = 0; k < frictions_.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    const auto [by_extension, by_force] = solver.ByStart(frictions_[k]);
+    remainder_.row(frictions_[k]) += by_extension * friction_extension_.row(row) + by_force * friction_force_.row(row);
+  }
   solver.Change(extension, rate, remainder_.topRows(ports));
 }
 
@@ -207,7 +234,10 @@ void MotionSensitivity::Start(const CondensedStepper& base) {
   lifted_before_ = base.lifts();
   FindAddedForces(base);
   added_before_ = added_forces_;
+  friction_extension_.setZero();
+  friction_force_.setZero();
   if (base.acting_ > 0) SolvePorts(base, base.at_start_, base.acting_, state_);
+  NoteFrictions(base);
 }
 
 void MotionSensitivity::Step(const CondensedStepper& base) {
@@ -231,6 +261,7 @@ void MotionSensitivity::Step(const CondensedStepper& base) {
   if (ports > 0) SolvePorts(base, base.at_end_, ports, free_);
   state_ = free_;
   state_.noalias() += base.from_end_.leftCols(ports) * remainder_.topRows(ports);
+  NoteFrictions(base);
   remainder_before_ = base.remainder_;
   added_before_ = added_forces_;
   lifted_before_ = base.lifts();

@@ -18,7 +18,8 @@ namespace fourpost {
 /// element that only a neighbour has acts with the force that the model's own motion gives it.
 class MotionSensitivity {
  public:
-  /// Whether a neighbour has the same coordinates, posts and sensors, and neither has elements with a memory.
+  /// Whether a neighbour has the same coordinates, posts and sensors, neither has hydraulic dampers, and the neighbour
+  /// no friction that sticks which the model has not.
   static bool Covers(const CondensedModel& model, const CondensedModel& neighbour);
 
   /// Of steppers with this step. Throws as CondensedStepper does. `neighbours`: covered, see Covers().
@@ -61,6 +62,7 @@ class MotionSensitivity {
   /// Of the first `count` ports, at a state changed by `state`, but for the changes of their own forces.
   void SolvePorts(const CondensedStepper& base, const PortSolver& solver, Eigen::Index count,
                   const Eigen::MatrixXd& state);
+  void NoteFrictions(const CondensedStepper& base);
 
   std::vector<CondensedStepper> neighbours_;
   std::vector<Law> laws_;
@@ -93,6 +95,11 @@ class MotionSensitivity {
   /// The model's own at the start of the next step.
   Eigen::VectorXd remainder_before_;
   bool lifted_before_ = false;
+
+  /// Ports with friction that sticks; of these the changes at the start of the step.
+  std::vector<Eigen::Index> frictions_;
+  Eigen::MatrixXd friction_extension_;
+  Eigen::MatrixXd friction_force_;
 
   Eigen::MatrixXd free_;
   Eigen::MatrixXd extension_;

@@ -54,11 +54,11 @@ std::span<const double> One(const Eigen::VectorXd& values, Eigen::Index j) { ret
 PortSolver::PortSolver(const std::vector<Port>& ports, double step_s) {
   for (const Port& port : ports) {
     laws_.push_back(port.law);
-    hydraulics_.emplace_back();
-    const auto* hydraulic = std::get_if<HydraulicRemainder>(&port.law);
-    if (!hydraulic) continue;
-    hydraulics_.back().emplace(*hydraulic, step_s);
-    largest_ = std::max(largest_, hydraulics_.back()->Size());
+    memory_.emplace_back();
+    if (const auto* friction = std::get_if<FrictionRemainder>(&port.law))
+      memory_.back().emplace<FrictionStep>(friction->law);
+    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&port.law))
+      largest_ = std::max(largest_, memory_.back().emplace<HydraulicStep>(*hydraulic, step_s).Size());
   }
   const auto count = static_cast<Eigen::Index>(ports.size());
   for (Eigen::VectorXd* vector : {&extension_, &rate_, &law_, &residual_, &trial_, &step_, &on_extension_, &on_rate_})
@@ -72,8 +72,15 @@ void PortSolver::SetCompliance(const Eigen::MatrixXd& by_extension, const Eigen:
 }
 
 void PortSolver::Rest() {
-  for (std::optional<HydraulicStep>& hydraulic : hydraulics_)
-    if (hydraulic) hydraulic->Rest();
+  for (auto& memory : memory_) {
+    if (auto* hydraulic = std::get_if<HydraulicStep>(&memory)) hydraulic->Rest();
+    if (auto* friction = std::get_if<FrictionStep>(&memory)) friction->Rest();
+  }
+}
+
+void PortSolver::RememberFriction(const Memory& memory) {
+  for (std::size_t j = 0; j < memory.size(); ++j)
+    if (const auto* friction = std::get_if<FrictionStep>(&memory[j])) memory_[j] = *friction;
 }
 
 double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
@@ -86,7 +93,9 @@ double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::Vecto
   double largest = 0;
   for (Eigen::Index j = 0; j < active_; ++j) {
     const auto port = static_cast<std::size_t>(j);
-    if (hydraulics_[port]) law_[j] = hydraulics_[port]->Remainder(extension_[j], rate_[j]);
+    if (auto* hydraulic = std::get_if<HydraulicStep>(&memory_[port]))
+      law_[j] = hydraulic->Remainder(extension_[j], rate_[j]);
+    else if (auto* friction = std::get_if<FrictionStep>(&memory_[port])) law_[j] = friction->Tension(extension_[j]);
     else Remainders(laws_[port], One(extension_, j), One(rate_, j), {law_.data() + j, 1});
     residual_[j] = remainder[j] - law_[j];
     largest = std::max(largest, std::abs(residual_[j]));
@@ -96,7 +105,9 @@ double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::Vecto
 
 std::pair<double, double> PortSolver::SlopesOf(Eigen::Index j) const {
   const auto port = static_cast<std::size_t>(j);
-  if (hydraulics_[port]) return {hydraulics_[port]->ByExtension(), hydraulics_[port]->ByLag()};
+  if (const auto* hydraulic = std::get_if<HydraulicStep>(&memory_[port]))
+    return {hydraulic->ByExtension(), hydraulic->ByLag()};
+  if (const auto* friction = std::get_if<FrictionStep>(&memory_[port])) return {friction->ByExtension(), 0};
   std::pair<double, double> slopes;
   RemainderSlopes(laws_[port], One(extension_, j), One(rate_, j), {&slopes.first, 1}, {&slopes.second, 1});
   return slopes;
@@ -117,7 +128,15 @@ void PortSolver::NewtonStep() {
   SolveInPlace(active_, jacobian_, step_);
 }
 
+std::pair<double, double> PortSolver::ByStart(Eigen::Index port) const {
+  const auto* friction = std::get_if<FrictionStep>(&memory_[static_cast<std::size_t>(port)]);
+  if (!friction) return {0, 0};
+  return {-friction->ByExtension(), friction->ByTension()};
+}
+
 double PortSolver::Departure(Eigen::Index port, const PortLaw& law) const {
+  if (const auto* friction = std::get_if<FrictionStep>(&memory_[static_cast<std::size_t>(port)]))
+    return friction->Departure(std::get<FrictionRemainder>(law).law);
   double force = 0;
   Remainders(law, One(extension_, port), One(rate_, port), {&force, 1});
   return force - law_[port];
@@ -137,8 +156,10 @@ void PortSolver::Change(const Eigen::Ref<const Eigen::MatrixXd>& extension,
 }
 
 void PortSolver::Advance() {
-  for (std::optional<HydraulicStep>& hydraulic : hydraulics_)
-    if (hydraulic) hydraulic->Advance();
+  for (auto& memory : memory_) {
+    if (auto* hydraulic = std::get_if<HydraulicStep>(&memory)) hydraulic->Advance();
+    if (auto* friction = std::get_if<FrictionStep>(&memory)) friction->Advance();
+  }
 }
 
 bool PortSolver::Solve(Eigen::Index count, const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "vehicles/condensed/port.h"
+#include "vehicles/simulation/friction_step.h"
 #include "vehicles/simulation/hydraulic_step.h"
 
 namespace fourpost {
@@ -32,7 +33,8 @@ class PortSolver {
   bool Solve(Eigen::Index count, const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
              Eigen::VectorXd& remainder);
 
-  /// Of the last solution, ports without memory: how much more force another law gives at its extension and rate [N].
+  /// Of the last solution, not of hydraulic dampers: how much more force another law gives at its extension and rate,
+  /// of friction from the same start [N].
   double Departure(Eigen::Index port, const PortLaw& law) const;
   /// How the last solution changes, to first order, where extension and rate without the forces, and the laws' own
   /// forces, change by these; ports x changes. `forces` becomes the changes of the solution.
@@ -42,11 +44,17 @@ class PortSolver {
   /// Ports with memory accept the last solution as the end of their step.
   void Advance();
 
+  /// Of friction, for the last solution: derivatives of its force by its extension and by its force at the step's
+  /// start. For other ports zero.
+  std::pair<double, double> ByStart(Eigen::Index port) const;
+
   /// Memory of each port, if it has one.
-  using Memory = std::vector<std::optional<HydraulicStep>>;
-  const Memory& memory() const { return hydraulics_; }
+  using Memory = std::vector<std::variant<std::monostate, HydraulicStep, FrictionStep>>;
+  const Memory& memory() const { return memory_; }
   /// Restores the memory of the ports at another step's start.
-  void Remember(const Memory& memory) { hydraulics_ = memory; }
+  void Remember(const Memory& memory) { memory_ = memory; }
+  /// That of friction alone.
+  void RememberFriction(const Memory& memory);
 
  private:
   /// Residual at `remainder`; its largest entry, NaN if a law has no solution.
@@ -58,8 +66,7 @@ class PortSolver {
   std::vector<PortLaw> laws_;
   /// Number of ports being solved for.
   Eigen::Index active_ = 0;
-  /// For each port, if it is a hydraulic damper's.
-  Memory hydraulics_;
+  Memory memory_;
   Eigen::MatrixXd by_extension_;
   Eigen::MatrixXd by_rate_;
   Eigen::VectorXd extension_;

@@ -51,6 +51,13 @@ AttributeRule Stiffness(std::string_view doc, Sign sign = Sign::kNotNegative) {
   return Measure("stiffness", kStiffness, sign, doc);
 }
 
+/// Without it friction has another law.
+AttributeRule StickingStiffness() {
+  AttributeRule rule = Usual("10 kN/m", "100 MN/m", Stiffness("force per extension before it slides", Sign::kPositive));
+  rule.required = false;
+  return rule;
+}
+
 AttributeRule Rate(std::string_view name, std::string_view doc, std::string_view least = "10 N*s/m") {
   return Usual(least, "100 kN*s/m", Measure(name, kDamping, Sign::kNotNegative, doc));
 }
@@ -330,11 +337,16 @@ std::vector<TagRule> MakeDamperTags() {
       {.path = "fp:damper/friction",
        .occurs = Occurs::kAtMostOnce,
        .doc =
-           "Coulomb friction of seals and guide: adds force tanh(v / speed). In line with the series spring, but of a "
-           "hydraulic damper between the ends of both.",
-       .attributes = {Usual("0.1 N", "5 kN", Measure("force", kForce, Sign::kNotNegative, "friction at speed")),
+           "Dry friction of seals, guides, leaves and bushes. Without `stiffness` it adds force tanh(v / speed), which "
+           "creeps at rest; in line with the series spring, but of a hydraulic damper between the ends of both. With "
+           "`stiffness` it sticks like a spring before it slides (Dahl): F' = stiffness (v - |v| F / force). Not with "
+           "a "
+           "series spring then, unless the damper is hydraulic.",
+       .attributes = {Usual("0.1 N", "5 kN", Measure("force", kForce, Sign::kNotNegative, "friction while it slides")),
                       Usual("0.1 mm/s", "0.1 m/s",
-                            Measure("speed", kVelocity, Sign::kPositive, "speed of transition about rest", "2 mm/s"))}},
+                            Measure("speed", kVelocity, Sign::kPositive,
+                                    "speed of transition about rest; not with stiffness", "2 mm/s")),
+                      StickingStiffness()}},
       {.path = "fp:damper/gas",
        .occurs = Occurs::kAtMostOnce,
        .doc = "Gas pressure on the rod, between the damper's ends: tension = -force + stiffness x.",

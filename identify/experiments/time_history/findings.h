@@ -66,6 +66,11 @@ inline const Finding kPredictionHydraulic{
     "prediction-cost-hydraulic", Severity::kError,
     "the cost 'prediction' corrects positions and velocities, not the oil pressure in the hydraulic damper '{}'",
     "fit by the cost 'whitened', or give the damper a law without memory"};
+inline const Finding kPredictionFriction{
+    "prediction-cost-friction", Severity::kError,
+    "the cost 'prediction' corrects positions and velocities, not the force of the friction in fp:damper '{}', which "
+    "has 'stiffness'",
+    "fit by the cost 'whitened', or give the friction 'speed' in place of 'stiffness'"};
 inline const Finding kKalmanTooSlow{"kalman-too-slow", Severity::kError,
                                     "one run of the Kalman filter takes longer than the deadline of {} s",
                                     "raise 'deadline' of 'search', or cut the recording by 'start' and 'end'"};
@@ -201,6 +206,10 @@ inline const Finding kKalmanHydraulic{
     "kalman-hydraulic", Severity::kError,
     "fp:damper '{}' is hydraulic, but a Kalman filter corrects positions and velocities, not its oil pressure",
     "leave --kalman out"};
+inline const Finding kKalmanFriction{"kalman-friction", Severity::kError,
+                                     "the friction of fp:damper '{}' has 'stiffness', but a Kalman filter corrects "
+                                     "positions and velocities, not its force",
+                                     "leave --kalman out"};
 
 // Simulations that have no result.
 

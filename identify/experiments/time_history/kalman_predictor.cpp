@@ -137,6 +137,8 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
                                       const Deadline& deadline) const {
   if (!model.hydraulics.empty())
     throw std::invalid_argument("a Kalman predictor knows nothing of the oil in hydraulic dampers");
+  if (!model.rubbings.empty())
+    throw std::invalid_argument("a Kalman predictor knows nothing of the force of friction that sticks");
   const auto signals = static_cast<Index>(history_->signals.size());
   const Index coordinates = model.mass.rows();
   RequireOption(noise.process_sd.size() == coordinates && noise.process_sd.minCoeff() > 0,

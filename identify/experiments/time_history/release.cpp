@@ -35,8 +35,15 @@ Statics StaticsOf(const CondensedModel& model, const std::vector<Port>& ports, c
     std::array<double, 1> remainder = {0};
     std::array<double, 1> slope = {0};
     std::array<double, 1> by_rate = {0};
-    Remainders(port.law, extension, rate, remainder);
-    RemainderSlopes(port.law, extension, rate, slope, by_rate);
+    if (const auto* friction = std::get_if<FrictionRemainder>(&port.law)) {
+      // It came there in one stroke.
+      const DahlFriction::Stroke stroke = friction->law.After(0, extension[0]);
+      remainder[0] = stroke.force;
+      slope[0] = stroke.by_extension;
+    } else {
+      Remainders(port.law, extension, rate, remainder);
+      RemainderSlopes(port.law, extension, rate, slope, by_rate);
+    }
     out.force += remainder[0] * direction;
     out.stiffness += slope[0] * direction * direction.transpose();
   }
@@ -57,6 +64,9 @@ VectorXd HeldPose(const CondensedModel& model, const MatrixXd& rows, const Vecto
   const Index n = model.mass.rows();
   const Index m = rows.rows();
   const std::vector<Port> ports = PortsOf(model);
+  // Of the holding forces [N]: friction that still sticks is far stiffer than what holds the pose, and the equations
+  // would look singular.
+  const double unit = model.rubbings.empty() ? 1 : model.Stuck().stiffness.norm();
   VectorXd pose = VectorXd::Zero(n);
   VectorXd holding = VectorXd::Zero(m);
   for (int i = 0; i < kMost; ++i) {
@@ -70,12 +80,13 @@ VectorXd HeldPose(const CondensedModel& model, const MatrixXd& rows, const Vecto
     if (left.head(n).norm() < kGood * scale && left.tail(m).norm() < kGood) return pose;
     MatrixXd system = MatrixXd::Zero(n + m, n + m);
     system.topLeftCorner(n, n) = statics.stiffness;
-    system.topRightCorner(n, m) = -rows.transpose();
-    system.bottomLeftCorner(m, n) = rows;
+    system.topRightCorner(n, m) = -unit * rows.transpose();
+    system.bottomLeftCorner(m, n) = unit * rows;
     // A wheel in the air and unheld is held by nothing else in a direction that no spring acts in: it stays there.
+    left.tail(m) *= unit;
     const VectorXd step = LeastNorm(system, 1e-12).Solve(VectorXd(-left));
     pose += step.head(n);
-    holding += step.tail(m);
+    holding += unit * step.tail(m);
     if (!pose.allFinite()) break;
   }
   throw SimulationError(kReleaseWithoutPose);

@@ -25,6 +25,8 @@ CondensedModel AtSpeed(CondensedModel model) {
     const double rate = (dashpot.law.Force(kSpeed) - dashpot.law.Force(-kSpeed)) / (2 * kSpeed);
     dashpot.law = DashpotLaw(rate, rate);
   }
+  for (const CondensedModel::Rubbing& friction : model.rubbings)
+    model.damping += friction.law.force / kSpeed * friction.direction * friction.direction.transpose();
   return model;
 }
 

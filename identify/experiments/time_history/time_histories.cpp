@@ -42,8 +42,10 @@ void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostic
   for (const StudyHistory& history : plan.histories)
     if (history.filter && !history.is_validation)
       diagnostics.Report(kPredictionFilter, {plan.file, history.line}, {history.name});
-  for (const Damper& damper : vehicle.dampers)
+  for (const Damper& damper : vehicle.dampers) {
     if (damper.hydraulic) diagnostics.Report(kPredictionHydraulic, {vehicle.file, damper.source_line}, {damper.name});
+    if (damper.law.Sticks()) diagnostics.Report(kPredictionFriction, {vehicle.file, damper.source_line}, {damper.name});
+  }
 }
 
 /// Whitened residuals are over a deviation.

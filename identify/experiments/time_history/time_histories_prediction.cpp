@@ -143,8 +143,10 @@ class HistoryPrediction {
   }
 
   void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
-    for (const Damper& damper : subject_.vehicle().dampers)
+    for (const Damper& damper : subject_.vehicle().dampers) {
       if (damper.hydraulic) Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
+      if (damper.law.Sticks()) Refuse(kKalmanFriction, {(request_.run / "vehicle.urdf").string()}, {damper.name});
+    }
     const MeasuredHistory recorded =
         LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
     const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(recorded), NoiseOf(recorded));

@@ -66,6 +66,26 @@ TEST(BenchDamper, AddsWhatActsBesideIt) {
   }
 }
 
+// Dahl's closed loop of a stroke from -A to A: F tanh(stiffness A / F) where it turns round.
+TEST(BenchDamper, RubsAlongTheMeasuredPath) {
+  const Vehicle vehicle =
+      VehicleOf(Bench(kRate + R"(<fp:damper name="d")" + kEnds +
+                      R"(<linear rate="$c"/><friction force="60 N" stiffness="200 N/mm"/></fp:damper>)"));
+  for (const double amplitude : {3e-4, 0.01}) {
+    const std::vector<double> tensions = Tensions(vehicle, SineMotion(amplitude, 2), {0});
+    const double turning = 60 * std::tanh(amplitude * 2e5 / 60);
+    // The first cycle, which ends at sample 250, forgets where it began: exp(-4 A stiffness / F) of 60 N, 1.1 N at 3e-4
+    // m.
+    const double forgotten = 60 * std::exp(-4 * amplitude * 2e5 / 60);
+    double most = 0;
+    for (std::size_t k = 251; k < tensions.size(); ++k) most = std::max(most, tensions[k]);
+    EXPECT_NEAR(most, turning, forgotten + 1e-3);
+    // At mid-stroke downwards.
+    const double middle = -(60 - (60 + turning) * std::exp(-amplitude * 2e5 / 60));
+    EXPECT_NEAR(tensions[375], middle, forgotten + 1e-3);
+  }
+}
+
 TEST(BenchDamper, MayStandOnASeriesSpring) {
   const Vehicle vehicle = VehicleOf(Bench(kRate + R"(<fp:damper name="d")" + kEnds +
                                           R"(<linear rate="$c"/><series stiffness="400 N/mm"/></fp:damper>)"));

@@ -347,5 +347,21 @@ TEST(LineForces, VanishAtRestInTheDesignPoseWithoutPreload) {
   });
 }
 
+// Of the power |v| F^2 / force is lost, whatever F and v.
+TEST(FrictionForce, IsInternalAndLosesWhatItsLawSays) {
+  ForEachLine([](auto line_of) {
+    ForceChecker checker;
+    const FrictionData data{.line = line_of(checker), .law = {.force = 60, .stiffness = 2e5}};
+    checker.Add(new FrictionForce(data, checker.forces()));
+    for (int draw = 0; draw < kDraws; ++draw) {
+      checker.Draw(1);
+      const double tension = 60 * checker.state().getZ()[0];
+      const double rate = DifferencedRate(checker, data.line);
+      // Strokes of Rate are far longer than the law's length of 0.3 mm in a second: its terms are of stiffness rate.
+      checker.ExpectBalance(std::abs(rate) * tension * tension / 60, 2e5 * std::abs(rate));
+    }
+  });
+}
+
 }  // namespace
 }  // namespace fourpost::line_forces_test

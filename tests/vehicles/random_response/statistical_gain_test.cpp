@@ -42,6 +42,28 @@ TEST(StatisticalGain, OfFrictionFallsWithTheMotion) {
   EXPECT_NEAR(gain.mean, 0, 1e-10);
 }
 
+// At rest a spring; sliding, over a thousand of its lengths, friction of any transition, and little of a spring.
+TEST(StatisticalGain, OfFrictionThatSticksGoesFromASpringToFriction) {
+  const FrictionRemainder seal{{.force = 100, .stiffness = 1e6}};
+  const StatisticalGain at_rest = GainOf(seal, {});
+  EXPECT_EQ(at_rest.by_extension, 1e6);
+  EXPECT_EQ(at_rest.by_rate, 0);
+  const StatisticalGain small = GainOf(seal, {.mean = 0.01, .extension_sd = 1e-8, .rate_sd = 1e-7});
+  EXPECT_NEAR(small.by_extension, 1e6, 10);
+  // Of a cycle 1 - tanh(a) / a, a the amplitude over the length, is left to rub.
+  const StatisticalGain large = GainOf(seal, {.extension_sd = 0.1, .rate_sd = 1});
+  const double friction = 100 * std::sqrt(2 / pi);
+  EXPECT_NEAR(large.by_rate, friction, 2e-3 * friction);
+  EXPECT_EQ(large.mean, 0);
+  // The mean over Rayleigh's amplitudes z of 4 F / sqrt(2 pi a) z / 2, a: 1000 z.
+  const double spring = NormalMean([](double z) {
+                          return z > 0 ? std::sqrt(2 * pi) * z * 0.5 * z * 4 / std::sqrt(2 * pi * 1000 * z) : 0;
+                        }) *
+                        100 / 0.1;
+  EXPECT_NEAR(large.by_extension, spring, 2e-3 * spring);
+  EXPECT_EQ(GainOf(FrictionRemainder{{.force = 0, .stiffness = 1e6}}, {}).by_extension, 0);
+}
+
 TEST(StatisticalGain, OfADigressiveDamperIsTheAverage) {
   const DashpotLaw law = DashpotLaw::Digressive(1000, 3000, {0.1, 300}, {0.15, 500});
   for (const double deviation : {0.01, 0.1, 1.0}) {

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -143,6 +146,23 @@ INSTANTIATE_TEST_SUITE_P(
                   R"(<point speed="-$v)", kPointOrder},
         FaultCase{"FrictionWithoutSpeed", R"(name="v_friction" value="3 mm/s")", R"(name="v_friction" value="0 mm/s")",
                   R"(<friction force="$f_friction" speed)", kNumberNotPositive},
+        FaultCase{"FrictionOfTwoLaws",
+                  R"(<friction force="$f_friction"/>)",
+                  R"(<friction force="$f_friction" speed="3 mm/s" stiffness="200 N/mm"/>)",
+                  R"(speed="3 mm/s" stiffness)",
+                  kFrictionSpeedAndStiffness,
+                  {"fp:damper 'rl'"}},
+        FaultCase{"FrictionWithoutStiffness", R"(<friction force="$f_friction"/>)",
+                  R"(<friction force="$f_friction" stiffness="0 N/mm"/>)", R"(stiffness="0 N/mm")", kNumberNotPositive},
+        FaultCase{"FrictionStiffnessOfOtherDimension", R"(<friction force="$f_friction"/>)",
+                  R"(<friction force="$f_friction" stiffness="60 N"/>)", R"(stiffness="60 N")",
+                  kNumberOfOtherDimension},
+        FaultCase{"FrictionThatSticksInSeries",
+                  R"(<friction force="$f_friction" speed="$v_friction"/>)",
+                  R"(<friction force="$f_friction" stiffness="200 N/mm"/>)",
+                  R"(stiffness="200 N/mm")",
+                  kFrictionStiffnessSeries,
+                  {"fp:damper 'fr'"}},
         FaultCase{"NegativeGas", R"(name="f_gas" value="120 N")", R"(name="f_gas" value="-120 N")", "<gas",
                   kNumberNegative},
         FaultCase{"ThickRod",
@@ -413,6 +433,19 @@ TEST_F(ElementReader, HasTheDefaultsOfTheReference) {
   EXPECT_EQ(vehicle->bushings.at(3).stiffness[2].value, 0);
   EXPECT_FALSE(vehicle->bushings.at(3).holds);
   EXPECT_EQ(vehicle->dampers.at(2).law.friction->speed.value, 0.002);
+}
+
+TEST_F(ElementReader, ReadsFrictionThatSticksBesideOilAndItsMount) {
+  std::string text = kElementCar;
+  const std::string_view top = R"(<hydraulic bleed="$bleed" rebound_valve="2*$valve"/>)";
+  text.insert(text.find(top) + top.size(), R"(<friction force="$f_seal" stiffness="200 N/mm"/>)");
+  const std::optional<Vehicle> vehicle = Read(text);
+  ASSERT_TRUE(vehicle.has_value());
+  const std::vector<double> values = vehicle->ParameterValues();
+  const Damper& damper = vehicle->dampers.at(4);
+  EXPECT_EQ(damper.law.StickingAt(values), (DahlFriction{.force = 50, .stiffness = 2e5}));
+  EXPECT_EQ(damper.HydraulicAt(values).friction, 0);
+  EXPECT_EQ(vehicle->dampers.at(3).law.StickingAt(values), std::nullopt);
 }
 
 TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {

@@ -41,6 +41,14 @@ TEST(FrictionLock, IsFoundWhereFrictionHoldsAndNotWhereItSlides) {
   EXPECT_THAT(scaled(0.7), testing::SizeIs(1));
 }
 
+// A spring of its own yields while friction holds: below 2000 N / 1 MN/m of extension.
+TEST(FrictionLock, IsFoundWhereFrictionSticks) {
+  Vehicle vehicle = StiffRubbingCar(2000);
+  vehicle.dampers[0].law.friction->stiffness = Scalar{1e6};
+  EXPECT_EQ(FindLockedFriction(vehicle, {{1, 2}, {0.002, 0.002}, {1}}).size(), 1u);
+  EXPECT_THAT(FindLockedFriction(vehicle, {{1, 2}, {0.1, 0.1}, {1}}), IsEmpty());
+}
+
 // The mount yields while the damper behind it holds.
 TEST(FrictionLock, IsFoundBehindAMount) {
   Vehicle vehicle = StiffRubbingCar(2000);

@@ -75,6 +75,10 @@ TEST(FullSystem, IsTheMultibodySystemWithMountsAndFriction) {
   arm.dampers[0].law.friction = DashpotDescription::Friction{{270}, {0.002}};
   ExpectFull("friction", arm, Sine(1, 0.1, 3, 1), 3);
   ExpectFull("friction, random", arm, Random(0.005, 3, 1), 3);
+  arm.dampers[0].law.friction = DashpotDescription::Friction{.force = {270}, .speed = {}, .stiffness = Scalar{1e6}};
+  ExpectFull("friction that sticks", arm, Sine(1, 0.1, 3, 1), 3);
+  ExpectFull("friction that sticks, random", arm, Random(0.005, 3, 1), 3);
+  arm.dampers[0].law.friction = DashpotDescription::Friction{{270}, {0.002}};
   arm.dampers[0].series = SpringDescription{.stiffness = {500e3}};
   ExpectFull("mount and friction", arm, Sine(1, 0.1, 3, 1), 3);
   ExpectFull("mount and friction, random", arm, Random(0.005, 3, 1), 3);

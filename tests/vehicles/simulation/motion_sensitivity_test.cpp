@@ -72,6 +72,19 @@ Vehicle BilinearQuarterCar() {
   return vehicle;
 }
 
+/// Friction beside the damper that sticks, its numbers parameters.
+void AddSeal(Vehicle& vehicle, double force) {
+  DashpotDescription::Friction friction{.force = {force}, .speed = {}, .stiffness = Scalar{2e5}};
+  for (Scalar* number : {&friction.force, &*friction.stiffness}) {
+    Parameter parameter;
+    parameter.name = "seal_" + std::to_string(vehicle.parameters.size());
+    parameter.value = number->value;
+    *number = {.value = number->value, .parameter = static_cast<int>(vehicle.parameters.size()), .factor = 1};
+    vehicle.parameters.push_back(parameter);
+  }
+  vehicle.dampers[0].law.friction = friction;
+}
+
 struct Case {
   const char* name;
   void (*change)(Vehicle&);
@@ -125,6 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
                                DashpotDescription::Friction{.force = {40}, .speed = {0.02}};
                            vehicle.dampers[0].series = {300e3};
                          }},
+                    Case{"WithFrictionThatSticks", [](Vehicle& vehicle) { AddSeal(vehicle, 60); }},
                     Case{"ThatLeavesTheGround", [](Vehicle& vehicle) { vehicle.tyres[0].lifts_off = true; }, true}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
@@ -185,6 +199,16 @@ TEST(MotionSensitivity, DoesNotCoverACoordinateThatComes) {
   const CondensedModel other = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   EXPECT_TRUE(MotionSensitivity::Covers(model, model));
   EXPECT_FALSE(MotionSensitivity::Covers(model, other));
+}
+
+// Its force would need a memory of its own.
+TEST(MotionSensitivity, DoesNotCoverFrictionThatSticksAndComes) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  AddSeal(vehicle, 60);
+  const CondensedModel other = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  EXPECT_FALSE(MotionSensitivity::Covers(model, other));
+  EXPECT_TRUE(MotionSensitivity::Covers(other, other));
 }
 
 }  // namespace

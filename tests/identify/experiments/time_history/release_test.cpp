@@ -145,5 +145,36 @@ TEST_F(ReleaseTest, EnginesAgreeOnADrop) {
   for (Index s = 0; s < 2; ++s) EXPECT_LT((full->modelled - reduced).col(s).norm(), 2e-3 * reduced.col(s).norm());
 }
 
+/// Friction that sticks, and bends before it slides by a millimetre.
+DashpotDescription::Friction Seal() { return {.force = {100}, .speed = {}, .stiffness = Scalar{1e5}}; }
+
+// In one stroke from rest: friction holds the wheel up or down besides the spring.
+TEST_F(ReleaseTest, HoldsTheBodyAgainstFriction) {
+  vehicle_.dampers[0].law.friction = Seal();
+  const double lifted = 0.3;
+  const CondensedModel model = Model();
+  const VectorXd heights = model.on_position * ReleasedState(Held(lifted), model, VectorXd()).head(2);
+  EXPECT_NEAR(heights[kWheel], lifted - (weight_N_ - 100) / stiffness_, 1e-9);  // forces are solved to 1e-9
+  vehicle_.dampers[0].law.friction->stiffness = Scalar{1e8};
+  EXPECT_NO_THROW(ReleasedState(Held(lifted), Model(), VectorXd()));
+}
+
+TEST_F(ReleaseTest, EnginesAgreeOnADropWithFrictionThatSticks) {
+  vehicle_.dampers[0].law.friction = Seal();
+  const MeasuredHistory history = Recorded(Held(0.3), Held(0.3));
+  const std::vector<double> values = vehicle_.ParameterValues();
+  const Eigen::MatrixXd reduced = SimulateBy({.engine = Engine::kReduced}, history, vehicle_, values)->modelled;
+  const std::optional<EngineHistory> full = SimulateBy({.engine = Engine::kFull}, history, vehicle_, values);
+  EXPECT_EQ(full->by.engine, Engine::kFull);
+  for (Index s = 0; s < 2; ++s) EXPECT_LT((full->modelled - reduced).col(s).norm(), 2e-3 * reduced.col(s).norm());
+  // It comes to rest beside the pose without friction, within the force over the spring's rate.
+  const MeasuredHistory longer = Dropped(Held(0.3), 4);
+  const HistorySimulation simulation(longer, 5e-4);
+  const Eigen::MatrixXd heights = simulation.Readings(Model(), simulation.StateOf(Model()));
+  const double left = heights(heights.rows() - 1, kBody) - heights(heights.rows() - 1, kWheel);
+  EXPECT_GT(std::abs(left), 1e-3);
+  EXPECT_LT(std::abs(left), 100 / stiffness_);
+}
+
 }  // namespace
 }  // namespace fourpost::release_test
