@@ -79,7 +79,7 @@ class Draw {
 };
 
 /// Largest deviation as a share of the largest entry.
-inline double Deviation(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected) {
+inline double DeviationBetween(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected) {
   return (actual - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
 }
 
@@ -93,13 +93,14 @@ inline void ExpectSameMatrices(const Vehicle& vehicle, const ClosedForm& closed)
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   const Eigen::MatrixXd& p = closed.to_joints;
   ASSERT_EQ(model.mass.rows(), p.rows());
-  EXPECT_LT(Deviation(p.transpose() * model.mass * p, closed.model.mass), kRounding);
-  EXPECT_LT(Deviation(p.transpose() * model.stiffness * p, closed.model.stiffness), kCurvature);
+  EXPECT_LT(DeviationBetween(p.transpose() * model.mass * p, closed.model.mass), kRounding);
+  EXPECT_LT(DeviationBetween(p.transpose() * model.stiffness * p, closed.model.stiffness), kCurvature);
   EXPECT_EQ(model.damping.norm(), 0);
-  EXPECT_LT(Deviation(p.transpose() * model.post_stiffness, closed.model.post_stiffness), kRounding);
+  EXPECT_LT(DeviationBetween(p.transpose() * model.post_stiffness, closed.model.post_stiffness), kRounding);
   ASSERT_EQ(model.dashpots.size(), closed.model.dashpots.size());
   for (std::size_t i = 0; i < model.dashpots.size(); ++i) {
-    EXPECT_LT(Deviation(p.transpose() * model.dashpots[i].direction, closed.model.dashpots[i].direction), kRounding);
+    EXPECT_LT(DeviationBetween(p.transpose() * model.dashpots[i].direction, closed.model.dashpots[i].direction),
+              kRounding);
     for (const double v : {-1.0, 1.0}) EXPECT_EQ(model.dashpots[i].law.Force(v), closed.model.dashpots[i].law.Force(v));
     EXPECT_EQ(model.dashpots[i].series.stiffness, 0);
   }
@@ -119,7 +120,8 @@ inline void ExpectSensorRows(const Vehicle& vehicle, const Eigen::MatrixXd& orde
     const bool accelerates = sensor.type == Sensor::Type::kAccelerometer;
     const Eigen::MatrixXd& on = accelerates ? model.on_acceleration : model.on_position;
     // Rounding of the positions.
-    EXPECT_LT(Deviation(on.row(static_cast<Eigen::Index>(i)) * order, rows.at(sensor.name)), 1e-14) << sensor.name;
+    EXPECT_LT(DeviationBetween(on.row(static_cast<Eigen::Index>(i)) * order, rows.at(sensor.name)), 1e-14)
+        << sensor.name;
   }
 }
 

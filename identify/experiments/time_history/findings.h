@@ -104,6 +104,16 @@ inline const Finding kPostSaturated{
     "post-saturated", Severity::kWarning,
     "the height of post '{}' {} of {}: how the post really moved there is unknown, which biases the parameters",
     "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
+inline const Finding kChannelSpiked{
+    "channel-spiked", Severity::kWarning,
+    "'{}' of '{}' has {} that stand out, the first with {} from the mean at {}, as of a lost bit or a loose plug: the fit "
+    "follows them",
+    "leave such fields empty and state 'bridge', or fit by a robust loss ('loss' of 'refine'); nothing if it was an impact",
+    Weight::kGrave};
+inline const Finding kTimesClosedUp{
+    "times-closed-up", Severity::kWarning,
+    "a post and a displacement of '{}' jump at {}{}, as where rows are missing and times were closed up",
+    "give the rows the times at which they were recorded"};
 inline const Finding kInputUnknown{
     "input-unknown", Severity::kWarning,
     "{} of '{}' was not measured from {} to {}{}, so the vehicle's motion is unknown there and for {} s after, until it "

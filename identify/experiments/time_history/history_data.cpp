@@ -25,6 +25,7 @@
 #include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/motionless_signals.h"
 #include "identify/experiments/time_history/post_sampling.h"
+#include "identify/experiments/time_history/signal_breaks.h"
 #include "identify/experiments/time_history/unknown_input.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/findings.h"
@@ -98,6 +99,10 @@ class HistoryLoader {
       CheckPost(p, history);
     }
     AddSignals(*recording, noise, history);
+    for (const SpikedSignal& signal : SpikedSignals(history))
+      diagnostics_.Report(
+          kChannelSpiked, {file_, signal.line},
+          {signal.name, history.name, Counted(signal.count, "sample"), signal.reading, SecondsText(signal.first_s)});
     if (good_) LeaveOutUnknownInputs(*recording, history);
     return history;
   }
@@ -322,7 +327,14 @@ class HistoryLoader {
     for (const std::vector<double>& tension : history.tensions) of_tensions.push_back(NoiseFloor(tension));
     look(posts_, history.heights, history.post_noise_sd, post_gaps_);
     look(actuators_, history.tensions, of_tensions, actuator_gaps_);
+    const std::vector<BridgedGap> closed_up = ClosedUpTimes(history);
+    if (!closed_up.empty())
+      diagnostics_.Report(kTimesClosedUp, {file_, study_.line},
+                          {study_.file.filename().string(), SecondsText(closed_up.front().from_s),
+                           closed_up.size() > 1 ? " and in " + Counted(closed_up.size() - 1, "later place") : ""});
+    gaps.insert(gaps.end(), closed_up.begin(), closed_up.end());
     if (gaps.empty()) return;
+    if (names.empty()) names.push_back("the posts' motion");
     const UnknownMotion unknown = LeaveOutMotion(vehicle_, std::move(gaps), history);
     if (unknown.samples == 0) return;
     constexpr Index kLeast = 16;

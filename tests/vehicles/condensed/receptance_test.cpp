@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Largest difference from a solution by factorisation, relative to the largest motion.
-double Deviation(const CondensedModel& model, const std::vector<double>& shape, double omega) {
+double DeviationBetween(const CondensedModel& model, const std::vector<double>& shape, double omega) {
   const std::vector<Port> ports = PortsOf(model);
   const Receptance receptance(model, ports, shape);
   EXPECT_TRUE(receptance.by_poles());
@@ -40,7 +40,7 @@ TEST(Receptance, SolvesTheImpedance) {
     std::vector<double> shape(vehicle.posts.size(), 1);
     shape.back() = -0.5;
     for (const double omega : {0.0, 3.0, 30.0, 300.0, 3000.0})
-      EXPECT_LT(Deviation(model, shape, omega), 1e-9) << name << " at " << omega << " rad/s";
+      EXPECT_LT(DeviationBetween(model, shape, omega), 1e-9) << name << " at " << omega << " rad/s";
   }
 }
 

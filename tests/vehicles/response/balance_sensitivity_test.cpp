@@ -79,8 +79,8 @@ double Largest(const std::vector<Value>& values) {
 /// where that is next to nothing, to a twentieth of what the channel's own largest value has per parameter: where more
 /// than that cancels, the differences know little, too.
 template <typename Value>
-double Deviation(const std::vector<Value>& derivatives, const std::vector<Value>& expected,
-                 const std::vector<Value>& channel, double parameter) {
+double DeviationBetween(const std::vector<Value>& derivatives, const std::vector<Value>& expected,
+                        const std::vector<Value>& channel, double parameter) {
   double deviation = 0;
   for (std::size_t i = 0; i < expected.size(); ++i)
     deviation = std::max(deviation, std::abs(derivatives[i] - expected[i]));
@@ -109,9 +109,9 @@ void ExpectDifferences(const Vehicle& vehicle, const Excitation& excitation, con
       const ChannelResponse& difference = expected.channels[c];
       const ChannelResponse& channel = sensitivity.periodic.response.channels[c];
       const double value = vehicle.parameters[p].value;
-      EXPECT_LT(Deviation(given.response, difference.response, channel.response, value), tolerances.response);
-      EXPECT_LT(Deviation(given.mean, difference.mean, channel.mean, value), tolerances.mean);
-      EXPECT_LT(Deviation(given.second_harmonic, difference.second_harmonic, channel.second_harmonic, value),
+      EXPECT_LT(DeviationBetween(given.response, difference.response, channel.response, value), tolerances.response);
+      EXPECT_LT(DeviationBetween(given.mean, difference.mean, channel.mean, value), tolerances.mean);
+      EXPECT_LT(DeviationBetween(given.second_harmonic, difference.second_harmonic, channel.second_harmonic, value),
                 tolerances.second_harmonic);
     }
   }
@@ -163,8 +163,9 @@ TEST(BalanceSensitivity, TellsBumpFromReboundWhereBothAreEqual) {
       const ChannelResponse& given = sensitivity.by_change[p].channels[c];
       const ChannelResponse& channel = sensitivity.periodic.response.channels[c];
       const double value = vehicle.parameters[p].value;
-      EXPECT_LT(Deviation(given.response, expected.channels[c].response, channel.response, value), kDefault.response);
-      EXPECT_LT(Deviation(given.mean, expected.channels[c].mean, channel.mean, value), kDefault.mean);
+      EXPECT_LT(DeviationBetween(given.response, expected.channels[c].response, channel.response, value),
+                kDefault.response);
+      EXPECT_LT(DeviationBetween(given.mean, expected.channels[c].mean, channel.mean, value), kDefault.mean);
     }
   }
 }

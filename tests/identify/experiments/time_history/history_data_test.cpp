@@ -253,6 +253,42 @@ TEST_F(HistoryDataTest, TakesTheWeightFromWhatALoggerHeld) {
   EXPECT_THAT(diagnostics_, Reports(kChannelHeld, 1003, {"'z_ground'", "from 1.998 s to 2.04 s", "20 samples"}));
 }
 
+TEST_F(HistoryDataTest, NamesSamplesThatStandOut) {
+  recorded_.readings(1234, 4) = 32767;
+  ASSERT_TRUE(Load()) << diagnostics_.Format();
+  EXPECT_THAT(diagnostics_, Reports(kChannelSpiked, 5, {"'F_tyre'", "1 sample", "2.468 s"}));
+}
+
+// Rows are missing where the station moves fast, and the times go on as if they were not.
+TEST_F(HistoryDataTest, KnowsTimesThatWereClosedUp) {
+  TimeHistory shorter = recorded_;
+  constexpr Eigen::Index kLost = 40;
+  const Eigen::Index left = recorded_.size() - kLost;
+  const auto close = [&](const Eigen::MatrixXd& all) {
+    Eigen::MatrixXd kept(left, all.cols());
+    kept << all.topRows(800), all.bottomRows(left - 800);
+    return kept;
+  };
+  shorter.posts = close(recorded_.posts);
+  shorter.readings = close(recorded_.readings);
+  const auto histories = Load(StationCsv(shorter, vehicle_));
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  EXPECT_THAT(diagnostics_, Reports(kTimesClosedUp, 3, {"1.598 s"}));
+  EXPECT_TRUE(histories->front().signals[0].is_unknown[810]);
+  EXPECT_FALSE(histories->front().signals[0].is_unknown[790]);
+}
+
+// As of a step that a rig was asked for.
+TEST_F(HistoryDataTest, TakesAStepOfAPostForNoClosedTimes) {
+  recorded_ =
+      SimulateCondensed(CondensedVehicle(vehicle_).At(vehicle_.ParameterValues()), RigViewOf(vehicle_),
+                        FollowPattern(SmoothStep{.height_m = 0.02, .rise_s = 0.002, .start_s = 1}.Signal(), {1}),
+                        {.start_s = 0, .end_s = 4, .rate_Hz = 500}, {.error = 1e-2})
+          .history;
+  Load();
+  EXPECT_THAT(diagnostics_, testing::Not(Reports(kTimesClosedUp)));
+}
+
 TEST_F(HistoryDataTest, ReadsNoiseInUnitsOfRecordings) {
   history_.noise = {{vehicle_.sensors[3].name, "0.02 g", 7}};
   const auto histories = Load();

@@ -1,0 +1,62 @@
+#include "identify/experiments/time_history/signal_breaks.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "analysis/signals/jumps.h"
+#include "analysis/signals/spikes.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/units.h"
+
+namespace fourpost {
+namespace {
+
+std::span<const double> ValuesOf(const Eigen::VectorXd& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+/// Of the window, of posts.
+std::set<std::size_t> JumpsOfPosts(const MeasuredHistory& history) {
+  std::set<std::size_t> jumps;
+  for (const std::vector<double>& heights : history.heights) {
+    const auto window =
+        std::span(heights).subspan(static_cast<std::size_t>(history.first), static_cast<std::size_t>(history.count));
+    for (const std::size_t jump : Jumps(window)) jumps.insert(jump);
+  }
+  return jumps;
+}
+
+}  // namespace
+
+std::vector<SpikedSignal> SpikedSignals(const MeasuredHistory& history) {
+  std::vector<SpikedSignal> spiked;
+  for (const MeasuredSignal& signal : history.signals) {
+    const std::vector<std::size_t> spikes = Spikes(ValuesOf(signal.values));
+    if (spikes.empty()) continue;
+    const auto first = static_cast<Eigen::Index>(spikes.front());
+    spiked.push_back({.name = signal.name,
+                      .line = signal.source.line,
+                      .count = spikes.size(),
+                      .first_s = history.TimeAt(first),
+                      .reading = ShortNumber(signal.values[first], 3) + " " + signal.unit});
+  }
+  return spiked;
+}
+
+std::vector<BridgedGap> ClosedUpTimes(const MeasuredHistory& history) {
+  const std::set<std::size_t> of_posts = JumpsOfPosts(history);
+  std::set<std::size_t> common;
+  for (const MeasuredSignal& signal : history.signals) {
+    if (of_posts.empty() || ParseUnit(signal.unit)->dimension != kLength) continue;
+    for (const std::size_t jump : Jumps(ValuesOf(signal.values)))
+      if (of_posts.count(jump) > 0) common.insert(jump);
+  }
+  std::vector<BridgedGap> gaps;
+  for (const std::size_t jump : common)
+    gaps.push_back(
+        {history.TimeAt(static_cast<Eigen::Index>(jump)), history.TimeAt(static_cast<Eigen::Index>(jump) + 1)});
+  return gaps;
+}
+
+}  // namespace fourpost
