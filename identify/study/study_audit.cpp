@@ -102,7 +102,7 @@ const Finding& KindOf(const RigFault& fault, double size) {
 bool IsError(const RigFault& fault, double size) { return KindOf(fault, size).severity() == Severity::kError; }
 
 /// Beyond doubt: twenty standard deviations, and nothing else comes near but what is an error as well. Without a force,
-/// the sign of a strut is as good as that of all accelerometers, and one of the two is wrong.
+/// the sign of a strut explains what those of all accelerometers explain, and one of the two is wrong.
 bool IsCertain(const Suspicion& suspicion) {
   constexpr double kBeyondDoubt = 400;
   return std::all_of(suspicion.rivals.begin(), suspicion.rivals.end(),
