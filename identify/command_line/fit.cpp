@@ -55,7 +55,7 @@ std::string KeptText(const GrowthPath& path, std::size_t place) {
 
 /// The path of a fit that grew.
 std::string GrowthText(const GrownFit& grown) {
-  TextTable table({"step", "added", "misfit", "change of BIC", "validation error, %", "kept", "folder"});
+  TextTable table({"step", "added", "misfit", "change of BIC", "validation rms error, %", "kept", "folder"});
   for (std::size_t i = 0; i < grown.path.steps.size(); ++i) {
     const GrowthStep& step = grown.path.steps[i];
     table.Add({std::to_string(grown.path.NumberOf(i)), ChangeText(step), IfKnown(step.misfit, 3),

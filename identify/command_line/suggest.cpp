@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -70,10 +71,10 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
     text = table.Format() + '\n' + AlikeText(all);
   }
   if (worthwhile == 0) text += "No addition that was tried lowers BIC.\n";
-  text += "Misfit " + Rounded(all.misfit, 3) + "; " + std::to_string(all.residuals) + " residuals worth " +
-          Rounded(all.effective, 3) + " independent ones; " + std::to_string(all.tried) + " additions tried, " +
-          std::to_string(all.failed.size()) + " of them cannot be evaluated; " + std::to_string(all.evaluations) +
-          " evaluations\n";
+  text += "Misfit " + (std::isnan(run.misfit) ? "not known" : Rounded(run.misfit, 3)) + "; " +
+          std::to_string(all.residuals) + " residuals worth " + Rounded(all.effective, 3) + " independent ones; " +
+          std::to_string(all.tried) + " additions tried, " + std::to_string(all.failed.size()) +
+          " of them cannot be evaluated; " + std::to_string(all.evaluations) + " evaluations\n";
   return text + UntestedText(all.failed);
 }
 
@@ -86,7 +87,7 @@ std::string AsJson(const SuggestCommand& command, const RunSuggestions& run) {
   for (const UntestedAddition& one : all.failed) failures.push_back({{"text", one.words}, {"reason", one.reason}});
   return JsonText(Json{{"run", command.run.filename().string()},
                        {"cost", all.cost},
-                       {"misfit", all.misfit},
+                       {"misfit", NumberOrNull(run.misfit)},
                        {"residuals", all.residuals},
                        {"effective_residuals", all.effective},
                        {"tried", all.tried},

@@ -15,14 +15,17 @@ bool IsOf(const ChannelMatch& match, const std::string& channel) {
   return std::any_of(channels.begin(), channels.end(), [&](const SourceChannel& one) { return one.name == channel; });
 }
 
+/// `not_compared`: why no motion of theirs was compared; empty: it was, or there is none to compare with.
 void AddMatched(const std::vector<ChannelMatch>& matches, const std::string& before, const std::string& behind,
-                std::vector<DraftedChannel>& list) {
+                const std::string& not_compared, std::vector<DraftedChannel>& list) {
   for (const ChannelMatch& match : matches)
-    for (const SourceChannel& channel : match.source.channels)
+    for (const SourceChannel& channel : match.source.channels) {
+      const bool is_by_name_alone = match.IsSure() && !match.correlation && !not_compared.empty();
       list.push_back({.name = channel.name,
                       .of = before + match.name + behind,
                       .state = match.IsSure() ? DraftedChannel::State::kSure : DraftedChannel::State::kLookAt,
-                      .why = DoubtOf(match)});
+                      .why = is_by_name_alone ? "by name, not checked by motion: " + not_compared : DoubtOf(match)});
+    }
 }
 
 bool HasChannel(const std::vector<ChannelMatch>& matches, const std::string& name) {
@@ -84,9 +87,9 @@ std::string DoubtOf(const ChannelMatch& match) {
 std::vector<DraftedChannel> ChannelsOf(const FileReading& reading, const std::vector<ChannelMatch>& matches,
                                        const std::vector<SoughtChannel>& sought, const CorrelationOf& correlation) {
   std::vector<DraftedChannel> list;
-  AddMatched(reading.posts, "post '", "'", list);
-  AddMatched(reading.actuators, "actuator '", "'", list);
-  AddMatched(matches, "", "", list);
+  AddMatched(reading.posts, "post '", "'", "", list);
+  AddMatched(reading.actuators, "actuator '", "'", "", list);
+  AddMatched(matches, "", "", reading.not_compared, list);
   for (const OfferedChannel& channel : reading.channels)
     if (std::none_of(matches.begin(), matches.end(),
                      [&](const ChannelMatch& match) { return IsOf(match, channel.name); }))

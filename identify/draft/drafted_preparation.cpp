@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
@@ -12,32 +13,44 @@
 namespace fourpost {
 namespace {
 
-/// Longer gaps hold motion that no interpolation knows.
-constexpr double kLongestBridge_s = 0.05;
+/// Rows from the first on to before the last.
+using Rows = std::pair<std::size_t, std::size_t>;
 
-/// The longest run of samples without a number.
-std::size_t LongestMissing(const RecordedTable& table, std::size_t column) {
-  std::size_t longest = 0;
-  std::size_t run = 0;
+/// Runs of samples without a number.
+void AddMissing(const RecordedTable& table, std::size_t column, std::vector<Rows>& runs) {
+  std::size_t first = 0;
   for (std::size_t row = 0; row < table.rows(column); ++row) {
     const std::optional<double> number = table.Number(row, column);
-    run = number && std::isfinite(*number) ? 0 : run + 1;
-    longest = std::max(longest, run);
+    if (!number || !std::isfinite(*number)) continue;
+    if (row > first) runs.emplace_back(first, row);
+    first = row + 1;
   }
-  return longest;
+  if (table.rows(column) > first) runs.emplace_back(first, table.rows(column));
 }
 
-/// The longest gap, of rows or of fields; `count`: how many there are.
+/// Those that overlap or adjoin as one.
+std::size_t DistinctCount(std::vector<Rows> runs) {
+  std::sort(runs.begin(), runs.end());
+  std::size_t count = 0;
+  std::size_t end = 0;
+  for (const auto& [first, last] : runs) {
+    if (count == 0 || first > end) ++count;
+    end = std::max(end, last);
+  }
+  return count;
+}
+
+/// The longest gap, of rows or of fields; `count`: how many stretches of the recording lack something.
 double LongestGap(const RecordedTable& table, const RecordingSummary& summary, std::size_t& count) {
   double longest_s = 0;
   for (const TimeGap& gap : summary.time->gaps) longest_s = std::max(longest_s, gap.to_s - gap.from_s);
-  count = summary.time->gaps.size();
-  for (const ColumnSummary& column : summary.columns) {
-    if (column.missing == 0 || column.missing == column.samples || !column.unit_known) continue;
-    const std::size_t longest = LongestMissing(table, *table.FindColumn(column.name));
-    longest_s = std::max(longest_s, static_cast<double>(longest + 1) / summary.time->rate_Hz);
-    count += column.missing;
-  }
+  std::vector<Rows> runs;
+  for (const ColumnSummary& column : summary.columns)
+    if (column.missing > 0 && column.missing < column.samples && column.unit_known)
+      AddMissing(table, *table.FindColumn(column.name), runs);
+  for (const auto& [first, last] : runs)
+    longest_s = std::max(longest_s, static_cast<double>(last - first + 1) / summary.time->rate_Hz);
+  count = summary.time->gaps.size() + DistinctCount(runs);
   return longest_s;
 }
 
@@ -64,9 +77,9 @@ DraftedPreparation PreparationOf(const RecordedTable& table, std::span<const std
   }
   std::size_t count = 0;
   const double longest_s = LongestGap(table, preparation.summary, count);
+  if (longest_s > 0) preparation.over_all_gaps_s = 1e-3 * std::ceil(1.05e3 * longest_s);
   if (longest_s > 0 && longest_s <= kLongestBridge_s) {
-    // Next to a gap times may be rounded.
-    preparation.times.bridge_s = 1e-3 * std::ceil(1.05e3 * longest_s);
+    preparation.times.bridge_s = preparation.over_all_gaps_s;
     preparation.why_bridged = std::to_string(count) + (count == 1 ? " gap" : " gaps") + ", the longest " +
                               Rounded(1e3 * longest_s, 2) + " ms";
   }

@@ -10,6 +10,9 @@
 
 namespace fourpost {
 
+/// Longer gaps hold motion that no interpolation knows.
+inline constexpr double kLongestBridge_s = 0.05;
+
 /// What a recording over time needs before a fit takes it, and what is known of its channels at rest.
 struct DraftedPreparation {
   TimePreparation times;
@@ -18,6 +21,8 @@ struct DraftedPreparation {
   std::string why_bridged;
   std::string why_beside;
   RecordingSummary summary;
+  /// A `bridge` that goes over every gap, however long, with what rounding of times next to it takes; 0: there is none.
+  double over_all_gaps_s = 0;
   /// Of the column of times where the study has to state it; empty: the file does. And whether that is a guess.
   std::string time_unit;
   bool is_time_unit_guessed = false;

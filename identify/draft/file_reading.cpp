@@ -15,6 +15,8 @@
 #include "analysis/measured_response/posts_by_name.h"
 #include "analysis/text/name_meaning.h"
 #include "analysis/text/named.h"
+#include "analysis/text/text_table.h"
+#include "identify/draft/gapless_stretch.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/bench/recording_check.h"
 #include "vehicles/description/post_pattern.h"
@@ -277,6 +279,19 @@ void TakeUnitOfTimes(const RecordedTable& table, const std::string& time, FileRe
   reading.units.push_back({time, "s"});
 }
 
+/// Where a gap is too long to be bridged, motion is compared beside it.
+void TakeLongestStretch(const RecordedTable& table, FileReading& reading, RigPreparation& preparation) {
+  if (reading.preparation.over_all_gaps_s <= kLongestBridge_s) return;
+  const std::optional<GaplessStretch> longest = LongestGapless(table, reading);
+  if (!longest) return;
+  preparation.times.bridge_s = reading.preparation.over_all_gaps_s;
+  preparation.start_s = longest->from_s;
+  preparation.end_s = longest->to_s;
+  reading.missed.push_back("motion was compared from " + Rounded(longest->from_s, 4) + " to " +
+                           Rounded(longest->to_s, 4) + " s, the longest stretch without a gap above " +
+                           Rounded(1e3 * kLongestBridge_s, 2) + " ms");
+}
+
 void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
   const std::string time = TimesColumn(table);
   if (time.empty()) {
@@ -310,9 +325,13 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
                           .preparation = {.times = reading.preparation.times, .units = UnitsIn(table, reading)}};
   for (const ChannelMatch& post : reading.posts)
     for (const SourceChannel& channel : post.source.channels) request.posts.push_back({channel.name, channel.name});
-  Diagnostics unheard;
-  std::optional<MeasuredResponses> measured = MeasureResponses(request, unheard);
-  if (!measured) return;
+  TakeLongestStretch(table, reading, request.preparation);
+  Diagnostics found;
+  std::optional<MeasuredResponses> measured = MeasureResponses(request, found);
+  if (!measured) {
+    reading.not_compared = FirstError(found);
+    return;
+  }
   reading.missed.insert(reading.missed.end(), measured->missed.begin(), measured->missed.end());
   if (measured->kind == ExcitationKind::kStepped) reading.kind = FileReading::Kind::kDwells;
   for (MeasuredResponse& response : measured->responses) {

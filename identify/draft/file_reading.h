@@ -41,6 +41,8 @@ struct FileReading {
   /// What is stated in place of the units that the file has.
   std::vector<StatedUnit> units = {};
   std::vector<DraftedMotion> motions = {};
+  /// Of a recording over time without motions: why there are none.
+  std::string not_compared = {};
   /// What of the record is left out.
   std::vector<std::string> missed = {};
   /// Of what is over time.

@@ -54,7 +54,7 @@ std::string HowItGrew(const Json& result) {
   std::vector<std::vector<html::Cell>> rows;
   for (const Json& step : ListAt(GrowthOf(result), "steps")) rows.push_back(Row(step));
   if (rows.empty()) return "";
-  return html::Table({"step", "model", "misfit", "change of BIC", "validation error, %", "kept"}, rows) +
+  return html::Table({"step", "model", "misfit", "change of BIC", "validation rms error, %", "kept"}, rows) +
          html::Element("p", "", "It ended: " + Escaped(TextAt(GrowthOf(result), "end")) + ".");
 }
 

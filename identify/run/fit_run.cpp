@@ -192,6 +192,7 @@ class Fitter {
     if (run.fit.parameters.empty()) return run;
     GoOnWithFullGeometry(options, loaded, run.fit);
     if (!loaded.HasDeviations()) run.fit.DropDeviations();
+    CallStarts(request_.starts, run.fit);
     Write(loaded, options.seed, output, run);
     return run;
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ struct FitRequest {
   bool name_missing = false;
   /// Where this fit is the last one of a growth.
   std::optional<GrowthSummary> growth = {};
+  /// By name, SI: what results call the start of a parameter in place of the file's value, as where a growth began.
+  std::map<std::string, double> starts = {};
   /// Leave the results of before where the user stops it.
   bool only_whole = false;
 };

@@ -64,4 +64,9 @@ std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParame
   return csv.text();
 }
 
+void CallStarts(const std::map<std::string, double>& starts, FitResult& fit) {
+  for (FittedParameter& parameter : fit.parameters)
+    if (const auto start = starts.find(parameter.name); start != starts.end()) parameter.start = start->second;
+}
+
 }  // namespace fourpost

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,8 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
 /// per parameter. `confidence`: of the intervals, "95 %".
 std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters,
                           const std::string& confidence);
+
+/// `starts`: by name, SI; in place of where these parameters started.
+void CallStarts(const std::map<std::string, double>& starts, FitResult& fit);
 
 }  // namespace fourpost

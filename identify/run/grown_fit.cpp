@@ -335,6 +335,8 @@ class Grower {
     request.growth = SummaryOf(path_, "");
     request.only_whole = true;
     request.from_file = false;
+    // The user's own: each step starts where the one before ended.
+    request.starts = StartsOf(origin_, path_);
     // Its steps were not asked either.
     request.accept_unidentified = true;
     hooks_.work.Note("the last step that was kept is fitted once more, with a search");

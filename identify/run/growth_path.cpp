@@ -212,4 +212,12 @@ GrowthPath EarlierGrowth(const std::filesystem::path& output, const std::string&
   return path;
 }
 
+std::map<std::string, double> StartsOf(const GrowthOrigin& origin, const GrowthPath& path) {
+  std::map<std::string, double> starts;
+  const nlohmann::json result = ReadResultFile(origin.RunOf(path.steps.front()) / "result.json");
+  for (const nlohmann::json& parameter : ListAt(result, "parameters"))
+    starts[TextAt(parameter, "name")] = NumberAt(parameter, "start");
+  return starts;
+}
+
 }  // namespace fourpost

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,6 +122,9 @@ struct GrowthOrigin {
   }
   std::filesystem::path RunOf(const GrowthStep& step) const { return output / step.folder / "fit"; }
 };
+
+/// By name, SI: where the parameters of the study as it stands started. Empty where its result is lost.
+std::map<std::string, double> StartsOf(const GrowthOrigin& origin, const GrowthPath& path);
 
 /// Of a step, below the output.
 inline std::string GrowthFolder(std::size_t number) { return "steps/" + std::to_string(number); }

@@ -61,6 +61,7 @@ RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hoo
     hooks.Find(noise);
   }
   run.values = FittedValues(result, run.study);
+  run.misfit = NumberAt(result, "misfit");
   run.study.Prepare(hooks);
   if (!run.study.CorrectAt(run.values, hooks)) {
     run.suggestions.is_interrupted = true;

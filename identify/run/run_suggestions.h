@@ -27,6 +27,8 @@ struct RunSuggestions {
   LoadedStudy study;
   /// Of the free parameters, SI.
   Eigen::VectorXd values;
+  /// As the fit states it; NaN where it does not.
+  double misfit = 0;
   Suggestions suggestions;
 };
 

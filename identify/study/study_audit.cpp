@@ -83,8 +83,7 @@ std::string RivalWords(const Suspicion& suspicion) {
   return text;
 }
 
-const Finding& KindOf(const Suspicion& suspicion) {
-  const RigFault& fault = suspicion.fault;
+const Finding& KindOf(const RigFault& fault, double size) {
   switch (fault.kind) {
     case Kind::kExchange: return kRigExchanged;
     case Kind::kOther: return kRigForeign;
@@ -94,16 +93,21 @@ const Finding& KindOf(const Suspicion& suspicion) {
   }
   if (fault.where == Where::kClock) return kRigClock;
   if (fault.where == Where::kWeight) return kRigLoads;
-  const double factor = FactorOf(suspicion.size);
+  const double factor = FactorOf(size);
   if (std::abs(factor + 1) < 0.1) return kRigSign;
   if (KnownOf(factor) != nullptr) return kRigUnit;
   return fault.where == Where::kPosts ? kRigPostsScale : kRigScale;
 }
 
-/// Beyond doubt: twenty standard deviations, and nothing else comes near.
+bool IsError(const RigFault& fault, double size) { return KindOf(fault, size).severity() == Severity::kError; }
+
+/// Beyond doubt: twenty standard deviations, and nothing else comes near but what is an error as well. Without a force,
+/// the sign of a strut explains what those of all accelerometers explain, and one of the two is wrong.
 bool IsCertain(const Suspicion& suspicion) {
   constexpr double kBeyondDoubt = 400;
-  return suspicion.rivals.empty() && suspicion.score > kBeyondDoubt && suspicion.next_score < 0.8 * suspicion.score;
+  return std::all_of(suspicion.rivals.begin(), suspicion.rivals.end(),
+                     [](const Suspicion::Rival& rival) { return IsError(rival.fault, rival.size); }) &&
+         suspicion.score > kBeyondDoubt && suspicion.next_score < 0.8 * suspicion.score;
 }
 
 /// Null of a device, a post, or a channel that the study does not have.
@@ -262,7 +266,7 @@ std::optional<Audit> AuditStudy(const LoadedStudy& study) {
 void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics) {
   for (const Suspicion& suspicion : audit.suspicions) {
     if (IsStated(study, suspicion)) continue;
-    const Finding& kind = KindOf(suspicion);
+    const Finding& kind = KindOf(suspicion.fault, suspicion.size);
     const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
     std::vector<std::string> words = {Words(suspicion.fault, suspicion.size), RivalWords(suspicion), Sure(suspicion)};
     if (&kind == &kRigUnit) {
@@ -270,7 +274,7 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
       words.push_back(UnitCorrection(study, suspicion));
     }
     if (&kind == &kRigSign || &kind == &kRigDelay) words.push_back(Correction(study, suspicion));
-    if (kind.severity() == Severity::kError && (certain == Severity::kWarning || !IsCertain(suspicion)))
+    if (IsError(suspicion.fault, suspicion.size) && (certain == Severity::kWarning || !IsCertain(suspicion)))
       diagnostics.ReportAsWarning(kind, place, words);
     else diagnostics.Report(kind, place, words);
   }

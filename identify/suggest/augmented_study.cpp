@@ -119,13 +119,18 @@ std::optional<Eigen::VectorXd> AugmentedStudy::Evaluated(const VehicleObjective&
 
 std::optional<Eigen::VectorXd> AugmentedStudy::OfStudy(double amount, const Eigen::VectorXd& values) const {
   const std::string text = addition_.study(amount);
-  failure_ =
-      "its channel is not listed under `channels`, or what is stated there cannot be extended: list it on one line, as "
-      "in `a_body: {channel: NAME}`";
-  if (text.empty()) return std::nullopt;
+  if (text.empty()) {
+    failure_ =
+        "its channel is not listed under `channels`, or what is stated there cannot be extended: list it on one line, "
+        "as in `a_body: {channel: NAME}`";
+    return std::nullopt;
+  }
   Diagnostics findings;
   std::optional<Study> study = ReadStudyText(text, study_.study.file, findings);
-  if (!study) return std::nullopt;
+  if (!study) {
+    failure_ = FirstErrorOf(findings);
+    return std::nullopt;
+  }
   LoadedStudy loaded{.study = *std::move(study), .vehicle = study_.vehicle, .free = study_.free};
   Subject subject = loaded.MakeSubject();
   subject.Remember(answers_);
@@ -141,7 +146,9 @@ std::optional<Eigen::VectorXd> AugmentedStudy::OfStudy(double amount, const Eige
     return std::nullopt;
   }
   loaded.Prepare();
-  return Evaluated(loaded.MakeObjective(subject), values);
+  const VehicleObjective objective = loaded.MakeObjective(subject);
+  structure_ = JoinedStructure(objective.blocks());
+  return Evaluated(objective, values);
 }
 
 }  // namespace fourpost

@@ -10,6 +10,7 @@
 
 #include "identify/experiments/known_answers.h"
 #include "identify/refine/fit_variables.h"
+#include "identify/residuals/residual_structure.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/study/loaded_study.h"
 #include "identify/suggest/addition.h"
@@ -50,8 +51,13 @@ class AugmentedStudy {
   /// Their values at an amount, within their bounds.
   Eigen::VectorXd AddedAt(double amount) const;
 
+  /// Of an addition to the study: how the residuals of the last evaluation belong together.
+  const ResidualStructure& structure() const { return structure_; }
+
   /// Why the last evaluation that failed did.
   const std::string& failure() const { return failure_; }
+  /// What was evaluated cannot be used.
+  void Fail(const std::string& why) const { failure_ = why; }
 
  private:
   std::vector<LatticeAxis> AddedAxes() const;
@@ -70,6 +76,7 @@ class AugmentedStudy {
   std::shared_ptr<KnownAnswers> answers_;
   std::shared_ptr<const CondensedVehicle> condensed_;
   std::optional<VehicleObjective> objective_;
+  mutable ResidualStructure structure_;
   mutable std::string failure_;
 };
 

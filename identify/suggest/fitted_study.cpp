@@ -63,11 +63,6 @@ double FittedStudy::EffectiveOfWeighted(const Eigen::VectorXd& residuals) const 
   return EffectiveResiduals(residuals.head(data_count()), structure_);
 }
 
-double FittedStudy::Misfit() const {
-  const double freedom = std::max(1.0, static_cast<double>(measured_count() - values_.size()));
-  return std::sqrt(fitted_.point().residuals.head(data_count()).squaredNorm() / freedom);
-}
-
 double FittedStudy::CriterionOf(const Addition& addition, const ScoreTest& test, std::size_t tried) const {
   // By what is left with it: errors that it explains are alike because it is missing.
   return CriterionChange(base_.cost, test.cost, measured_count(), Effective(test.left), addition.count, tried,

@@ -32,6 +32,7 @@ class FittedStudy {
   /// Values with a step of FitVariables, within the bounds.
   Eigen::VectorXd Moved(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const;
 
+  const ResidualStructure& structure() const { return structure_; }
   /// Residuals of the data, and how many independent ones these or others are worth.
   Eigen::Index data_count() const { return fitted_.point().residuals.size() - objective_.prior_count(); }
   /// Those of samples that were measured.
@@ -39,7 +40,6 @@ class FittedStudy {
   double Effective(const Eigen::VectorXd& residuals) const;
   /// The same of residuals that have their weights.
   double EffectiveOfWeighted(const Eigen::VectorXd& residuals) const;
-  double Misfit() const;
   /// See CriterionChange(); of an addition among `tried`.
   double CriterionOf(const Addition& addition, const ScoreTest& test, std::size_t tried) const;
   std::int64_t evaluations() const { return evaluations_; }

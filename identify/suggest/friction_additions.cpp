@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "identify/suggest/fitted_dampers.h"
+#include "identify/suggest/new_friction.h"
 
 namespace fourpost {
 namespace {
@@ -36,32 +37,21 @@ class FrictionAdditions {
   Addition Friction(const AdditionSource::Group& group) const {
     const double rate = dampers_.RateOf(group);
     Addition addition{.mechanism = "friction", .elements = dampers_.NamesOf(group)};
-    addition.values = [](double force) { return std::vector{force}; };
     addition.first = 0.02 * rate;
     addition.greatest = rate;
     return addition;
-  }
-
-  NewParameter FrictionForce(const Addition& friction) const {
-    return {.name = source_.ParameterName("friction", friction.elements),
-            .dimension = kForce,
-            .lower = 0,
-            .upper = friction.greatest,
-            .source = "suggested: " + friction.words};
   }
 
   /// Beside the damper, as an element of its own: a damper may have a mount, which friction of a strut has not.
   void AddFriction(const AdditionSource::Group& group) {
     Addition addition = Friction(group);
     addition.words = "dry friction beside damper " + Quoted(addition.elements);
-    const NewParameter parameter = FrictionForce(addition);
+    const NewFriction friction(source_, addition);
     VehicleEdit edit = source_.Edit();
     for (const auto& [name, ends] : source_.EndsOf("fp:damper", addition.elements))
       edit.Add("<fp:damper name=\"" + source_.ElementName("friction", name, addition.elements.size() == 1) + "\" " +
-               ends + "><linear rate=\"0 N*s/m\"/><friction force=\"$" + parameter.name + "\"/></fp:damper>");
-    addition.parameters = {parameter.name};
-    edit.Add(parameter, addition.first);
-    addition.vehicle = edit.Text();
+               ends + "><linear rate=\"0 N*s/m\"/>" + friction.Text() + "</fp:damper>");
+    friction.Finish(addition, edit);
     additions_.push_back(std::move(addition));
   }
 
@@ -69,8 +59,15 @@ class FrictionAdditions {
   void AddFrictionBehindMount(const AdditionSource::Group& group) {
     Addition addition = Friction(group);
     addition.words = "dry friction behind the mount of damper " + Quoted(addition.elements);
-    const NewParameter parameter = FrictionForce(addition);
-    dampers_.AddAsChild(addition, parameter, "<friction force=\"$" + parameter.name + "\"/>", additions_);
+    const std::vector<std::string> written = source_.WrittenOf("fp:damper", addition.elements);
+    if (written.empty()) return;
+    const NewFriction friction(source_, addition);
+    VehicleEdit edit = source_.Edit();
+    for (const std::string& name : written)
+      if (const tinyxml2::XMLElement* element = edit.Find("fp:damper", name)) edit.AddChild(*element, friction.Text());
+      else return;
+    friction.Finish(addition, edit);
+    additions_.push_back(std::move(addition));
   }
 
   /// No new number: its force stays what it is.

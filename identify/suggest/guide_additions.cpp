@@ -1,6 +1,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "identify/suggest/addition_source.h"
+#include "identify/suggest/new_friction.h"
 
 namespace fourpost {
 
@@ -17,14 +18,9 @@ void AddGuideAdditions(const AdditionSource& source, std::vector<Addition>& addi
     if (!(mass > 0)) continue;
     Addition addition{.mechanism = "guide_friction", .elements = {joint.name}};
     addition.words = "dry friction in the guide '" + joint.name + "'";
-    addition.values = [](double force) { return std::vector{force}; };
     addition.first = kFirst_N_per_kg * mass;
     addition.greatest = kMost_N_per_kg * mass;
-    const NewParameter parameter{.name = source.ParameterName("friction", addition.elements),
-                                 .dimension = kForce,
-                                 .lower = 0,
-                                 .upper = addition.greatest,
-                                 .source = "suggested: " + addition.words};
+    const NewFriction friction(source, addition);
     const Eigen::Vector3d axis = joint.pose.linear() * joint.axis;
     std::string direction;
     for (const double part : axis) direction += (direction.empty() ? "" : " ") + FormatNumber(AtDigits(part, kDigits));
@@ -32,10 +28,8 @@ void AddGuideAdditions(const AdditionSource& source, std::vector<Addition>& addi
     edit.Add("<fp:damper name=\"" + source.ElementName("friction", joint.name, false) + "\" parent=\"" +
              vehicle.links[static_cast<std::size_t>(joint.parent)].name + "\" child=\"" +
              vehicle.links[static_cast<std::size_t>(joint.child)].name + "\" axis=\"" + direction +
-             "\"><linear rate=\"0 N*s/m\"/><friction force=\"$" + parameter.name + "\"/></fp:damper>");
-    addition.parameters = {parameter.name};
-    edit.Add(parameter, addition.first);
-    addition.vehicle = edit.Text();
+             "\"><linear rate=\"0 N*s/m\"/>" + friction.Text() + "</fp:damper>");
+    friction.Finish(addition, edit);
     additions.push_back(std::move(addition));
   }
 }

@@ -4,6 +4,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "identify/suggest/addition_source.h"
+#include "identify/suggest/new_friction.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -80,28 +81,22 @@ class SpringAdditions {
     Addition addition{.mechanism = "hysteresis", .elements = NamesOf(group)};
     addition.words = "elastic friction (hysteresis) beside spring " + Quoted(addition.elements);
     const double line = ratio * stiffness;
-    addition.values = [line](double force) { return std::vector{force, line}; };
+    addition.values = [line](double force) { return std::vector{force, NewFriction::kFirstSpeed_mps, line}; };
     addition.first = kFirst_m * stiffness;
     addition.greatest = kMost_m * stiffness;
-    addition.count = 2;
-    const std::string source = "suggested: " + addition.words;
-    const NewParameter force{.name = source_.ParameterName("hysteresis", addition.elements),
-                             .dimension = kForce,
-                             .lower = 0,
-                             .upper = addition.greatest,
-                             .source = source};
+    addition.count = 3;
+    const NewFriction friction(source_, addition, "hysteresis");
     const NewParameter rate{.name = source_.ParameterName("k_hysteresis", addition.elements),
                             .dimension = kStiffness,
                             .lower = line / 10,
                             .upper = 10 * line,
-                            .source = source};
+                            .source = "suggested: " + addition.words};
     VehicleEdit edit = source_.Edit();
     for (const auto& [name, ends] : source_.EndsOf("fp:spring", addition.elements))
       edit.Add("<fp:damper name=\"" + source_.ElementName("hysteresis", name, group.size() == 1) + "\" " + ends +
-               "><linear rate=\"" + FormatNumber(AtDigits(kParallelRate_s * line, 3)) +
-               " N*s/m\"/><friction force=\"$" + force.name + "\"/><series stiffness=\"$" + rate.name +
-               "\"/></fp:damper>");
-    Finish(std::move(addition), {force, rate}, edit);
+               "><linear rate=\"" + FormatNumber(AtDigits(kParallelRate_s * line, 3)) + " N*s/m\"/>" + friction.Text() +
+               "<series stiffness=\"$" + rate.name + "\"/></fp:damper>");
+    Finish(std::move(addition), {friction.force(), friction.speed(), rate}, edit);
   }
 
   void AddCubic(const AdditionSource::Group& group) {

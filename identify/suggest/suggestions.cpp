@@ -42,7 +42,6 @@ class Suggester {
     result_.cost = point.loss.Cost(point.residuals);
     result_.residuals = study_.measured_count();
     result_.effective = study_.Effective(point.residuals);
-    result_.misfit = study_.Misfit();
     result_.tried = trials_.all().size();
     result_.evaluations = study_.evaluations() + trials_.evaluations();
   }

@@ -65,7 +65,6 @@ struct Suggestions {
   /// At the fitted values, N x n in FitVariables; zero columns of parameters at their bounds.
   Eigen::MatrixXd jacobian;
   double cost = 0;
-  double misfit = 0;
   /// Residuals, and how many independent ones these are worth.
   Eigen::Index residuals = 0;
   double effective = 0;

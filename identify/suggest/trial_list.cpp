@@ -12,6 +12,7 @@
 
 #include "identify/search/parallel.h"
 #include "identify/suggest/addition_list.h"
+#include "identify/suggest/aligned_residuals.h"
 #include "identify/suggest/first_look.h"
 #include "identify/suggest/new_numbers.h"
 #include "vehicles/multibody/simulation_error.h"
@@ -82,15 +83,18 @@ bool TrialList::BalancesAlone() const {
 
 ResidualsOf TrialList::Residuals(const Trial& trial) const {
   return [this, &trial, x = study_.x()](double amount, const Eigen::VectorXd& step) -> std::optional<Eigen::VectorXd> {
-    std::optional<Eigen::VectorXd> residuals = trial.study->At(amount, study_.Moved(x, step));
-    LeaveOutOtherCount(residuals);
-    return residuals;
+    return Comparable(trial, trial.study->At(amount, study_.Moved(x, step)));
   };
 }
 
 /// A channel that is taken later ends earlier, and has fewer residuals to compare.
-void TrialList::LeaveOutOtherCount(std::optional<Eigen::VectorXd>& residuals) const {
-  if (residuals && residuals->size() != study_.objective().residual_count()) residuals.reset();
+std::optional<Eigen::VectorXd> TrialList::Comparable(const Trial& trial,
+                                                     std::optional<Eigen::VectorXd> residuals) const {
+  if (!residuals || !trial.addition.study) return residuals;
+  std::optional<Eigen::VectorXd> aligned =
+      AlignedTo({study_.fitted().point().residuals, study_.structure()}, {*residuals, trial.study->structure()});
+  if (!aligned) trial.study->Fail("its residuals are not those of the study, and cannot be compared with them");
+  return aligned;
 }
 
 void TrialList::Test() {
@@ -247,9 +251,7 @@ void TrialList::FitNumbersOf(Trial& trial) const {
   const FitVariables added = trial.study->AddedVariables();
   const Eigen::VectorXd first = added.FromValues(trial.study->AddedAt(trial.test->amount));
   const auto residuals = [&, x = study_.x()](const Eigen::VectorXd& numbers, const Eigen::VectorXd& step) {
-    std::optional<Eigen::VectorXd> there = trial.study->With(added.ToValues(numbers), study_.Moved(x, step));
-    LeaveOutOtherCount(there);
-    return there;
+    return trial.study->With(added.ToValues(numbers), study_.Moved(x, step));
   };
   const NewNumbers numbers{.first = first, .lower = added.lower(), .upper = added.upper(), .residuals = residuals};
   const Eigen::VectorXd found = added.ToValues(FitNumbers(study_.fitted(), numbers, *trial.test));

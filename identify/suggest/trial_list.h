@@ -29,7 +29,7 @@ class TrialList {
   void Read();
   bool BalancesAlone() const;
   ResidualsOf Residuals(const Trial& trial) const;
-  void LeaveOutOtherCount(std::optional<Eigen::VectorXd>& residuals) const;
+  std::optional<Eigen::VectorXd> Comparable(const Trial& trial, std::optional<Eigen::VectorXd> residuals) const;
   void LookAtAll(double promise);
   void LookAtVehicles(const std::vector<Trial*>& trials);
   void LookAtStudies(const std::vector<Trial*>& trials);

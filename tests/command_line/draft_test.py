@@ -151,6 +151,42 @@ class Draft(ProgramTest):
         self.assertIn("use: validation", (self.folder / "both/study.yaml").read_text())
 
 
+    def sweep_with_gaps(self, gaps):
+        """A sweep with a strut of the wrong sign and samples of a_wheel that are missing: pairs of first and count."""
+        self.run_program("simulate", "car.urdf", "--sweep", "0.5Hz:20Hz", "--duration", "30s", "--rate", f"{RATE}Hz",
+                         "--engine", "reduced", "-o", "clean.csv")
+        rows = list(csv.reader((self.folder / "clean.csv").read_text().splitlines()))
+        strut, wheel = rows[0].index("s_strut"), rows[0].index("a_wheel")
+        for row in rows[2:]:
+            row[strut] = f"{-float(row[strut]):.9g}"
+        for first, count in gaps:
+            for row in rows[2 + first:2 + first + count]:
+                row[wheel] = ""
+        self.write("sweep.csv", "\n".join(",".join(row) for row in rows) + "\n")
+        printed = self.run_program("init", "study", "--from", "sweep.csv", "--vehicle", "car.urdf", "--json").stdout
+        text = (self.folder / "study/study.yaml").read_text()
+        shutil.rmtree(self.folder / "study")
+        return text, {c["name"]: c for c in json.loads(printed)["recordings"][0]["channels"]}
+
+    def test_counts_gaps_and_not_their_samples(self):
+        text, _ = self.sweep_with_gaps([(1000, 6)])
+        self.assertIn("  # 1 gap, the longest 35 ms\n", text)
+
+    def test_compares_motion_beside_a_gap_that_is_too_long_to_bridge(self):
+        # 16 steps of 5 ms; the longest stretch comes before it.
+        text, channels = self.sweep_with_gaps([(4000, 15)])
+        self.assertNotIn("bridge", text)
+        self.assertIn("# look at: sweep.csv: motion was compared from 0 to 20.00 s, the longest stretch without a gap above "
+                      "50 ms\n", text.replace("19.99", "20.00").replace("20.0 s", "20.00 s"))
+        self.assertEqual(channels["s_strut"]["state"], "look at")
+        self.assertIn("its sign is turned", channels["s_strut"]["why"])
+
+    def test_says_which_channels_were_not_checked_by_motion(self):
+        # Too little between gaps for any response.
+        _, channels = self.sweep_with_gaps([(first, 15) for first in range(20, 6000, 20)])
+        self.assertEqual(channels["s_strut"]["state"], "sure")
+        self.assertRegex(channels["s_strut"]["why"], "^by name, not checked by motion: .")
+
     def sweep_of_two_recorders(self, lost, jitter_s, drift):
         """A sweep after two seconds of rest: one recorder loses samples, jitters and drifts, the other has the strut."""
         heights = [0.0] * (2 * RATE)

@@ -62,6 +62,11 @@ class Growth(ProgramTest):
         self.assertEqual(self.grown("steps/growth.json")["end"], "the stated errors explain the residuals")
         result = self.grown("result.json")
         self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
+        # Those of the user's study, not of the step before.
+        starts = {p["name"]: p["start"] for p in result["parameters"]}
+        own = {p["name"]: p["start"] for p in self.grown("steps/0/fit/result.json")["parameters"]}
+        self.assertEqual({name: starts[name] for name in own}, own)
+        self.assertIn("validation rms error, %", printed.stdout)
         self.assertEqual(result["growth"]["added"], ["dry friction beside damper 'damper'"])
         self.assertIs(result["growth"]["interrupted"], False)
         self.assertRegex(printed.stderr, r"(?m)^step 0 of at most 12: the study as it stands$")

@@ -123,6 +123,29 @@ class Suggest(ProgramTest):
         answer = self.run_program("suggest", "run", "--study", "study.yaml")
         self.assert_finding(answer.stderr, "suggest-post-noise", "run/result.json")
 
+    def test_looks_for_delays_of_histories_and_states_the_misfit_of_the_fit(self):
+        """With a channel that comes 12 ms late, other channels listed in braces, and noise on the posts as well."""
+        self.run_program("simulate", SOURCE / "urdf/quarter_car.urdf", "--road", "C", "--speed", "50km/h", "--duration", "12s",
+                         "--rate", "200Hz", "--engine", "reduced", "--seed", "7", "-o", "clean.csv")
+        noise = add_noise(self.folder / "clean.csv", self.folder / "recording.csv", 0.01, seed=3)
+        channels = {name: f"{{channel: {name}}}" for name in noise if name != "post_post"}
+        late = next(name for name in channels if name.startswith("a_"))
+        channels[late] = f"{{channel: {late}, delay: -12 ms}}"
+        self.write("study.yaml", "\n".join([
+            f"vehicle: {SOURCE / 'urdf/quarter_car.urdf'}", "histories:", "  - file: recording.csv",
+            "    posts: {post: post_post}",
+            f"    channels: {{{', '.join(f'{name}: {source}' for name, source in channels.items())}}}",
+            "model_error: {history: 1 %}", "search: {evaluations: 20, starts: 1}", ""]))
+        self.run_program("fit", "study.yaml", "-o", "run", "--threads", "1", "--accept-implausible", code=None)
+        every = self.suggested("--all")
+        self.assertEqual([one["text"] for one in every["failures"] if one["text"].startswith("delay")], [])
+        first = every["suggestions"][0]
+        self.assertEqual((first["mechanism"], first["elements"]), ("delay", [f"'{late}'"]))
+        # To a sample's fifth: the channel is interpolated between samples of 5 ms.
+        self.assertAlmostEqual(first["correction"], 0.012, delta=0.001)
+        result = json.loads((self.folder / "run/result.json").read_text())
+        self.assertEqual(every["misfit"], result["misfit"])
+
     def test_holds_what_the_study_sets(self):
         """The file has another tyre than the study states."""
         self.record(FRICTION)

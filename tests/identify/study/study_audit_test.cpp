@@ -40,6 +40,32 @@ TEST(StudyAudit, WrongSignIsAnErrorAtItsLine) {
   EXPECT_FALSE(Findings(study).HasErrors());
 }
 
+// Without forces the sign of a strut is as good as that of all accelerometers: one of them is wrong.
+TEST(StudyAudit, WrongSignIsAnErrorWhereAllElseThatExplainsItIsOne) {
+  const LoadedStudy study = ShippedStudy();
+  Audit audit = AuditStudy(study).value();
+  const auto scale = [](const char* name, std::vector<std::size_t> members) {
+    return RigFault{.kind = RigFault::Kind::kScale, .members = std::move(members), .name = name};
+  };
+  const RigFault exchange = {.kind = RigFault::Kind::kExchange, .members = {4, 5}, .name = "a_cg and a_tow_point"};
+  audit.suspicions = {{.fault = scale("s_strut_front", {7}),
+                       .size = -2,
+                       .sd = 0.004,
+                       .score = 1e5,
+                       .rivals = {{scale("all accelerometers", {0, 1}), -2, 1e5}, {exchange, 0, 1e5}},
+                       .next_score = 3e4}};
+  const auto has_errors = [&] {
+    Diagnostics found;
+    ReportAudit(study, audit, Severity::kError, found);
+    EXPECT_THAT(found, Reports(kRigSign, Sines(study).plan.channels[7].second.line));
+    return found.HasErrors();
+  };
+  EXPECT_TRUE(has_errors());
+  // A harmless explanation is left.
+  audit.suspicions[0].rivals.push_back({scale("a_cg", {4}), 0.05, 1e5});
+  EXPECT_FALSE(has_errors());
+}
+
 TEST(StudyAudit, ScaleIsAWarning) {
   LoadedStudy study = ShippedStudy();
   Scale(study, "s_strut_front", 1.05);

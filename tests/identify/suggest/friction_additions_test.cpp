@@ -48,6 +48,8 @@ std::vector<Addition> Of(const Vehicle& vehicle, const std::string& mechanism) {
   const AdditionSource source(vehicle, vehicle.ParameterValues());
   AddMountAdditions(source, all);
   AddFrictionAdditions(source, all);
+  AddHysteresisAdditions(source, all);
+  AddGuideAdditions(source, all);
   std::vector<Addition> found;
   for (Addition& one : all)
     if (one.mechanism == mechanism) found.push_back(std::move(one));
@@ -106,6 +108,32 @@ TEST(FrictionAdditions, OfFrictionBehindAMountStandBesideIt) {
   const std::vector<Addition> found = Of(QuarterCar(kMountAndFriction), "friction");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].words, testing::HasSubstr("beside"));
+}
+
+// A guess taken as exact would move rates and force by many standard deviations.
+TEST(FrictionAdditions, BringTheirSpeedAsAParameterWithARange) {
+  const Vehicle car = QuarterCar(kMount);
+  for (const char* mechanism : {"friction", "hysteresis", "guide_friction"}) {
+    const std::vector<Addition> found = Of(car, mechanism);
+    ASSERT_FALSE(found.empty()) << mechanism;
+    for (const Addition& one : found) {
+      EXPECT_EQ(one.count, std::ssize(one.parameters)) << one.words;
+      EXPECT_EQ(one.values(one.first).size(), one.parameters.size()) << one.words;
+      const Vehicle with = With(car, one);
+      bool is_found = false;
+      for (const Damper& damper : with.dampers) {
+        if (!damper.law.friction) continue;
+        is_found = true;
+        ASSERT_GE(damper.law.friction->speed.parameter, 0) << one.words;
+        const Parameter& speed = with.parameters[static_cast<std::size_t>(damper.law.friction->speed.parameter)];
+        EXPECT_EQ(one.parameters.at(1), speed.name);
+        EXPECT_LT(speed.lower, speed.value);
+        EXPECT_LT(speed.value, speed.upper);
+      }
+      EXPECT_TRUE(is_found) << one.words;
+      EXPECT_TRUE(Of(with, "friction_speed").empty()) << one.words;
+    }
+  }
 }
 
 TEST(FrictionAdditions, FreeTheSpeedOverWhichItChangesSign) {
