@@ -20,6 +20,16 @@ void BridgeMissing(std::span<const double> times, std::vector<double>& signal) {
     if (std::isnan(signal[k])) signal[k] = bridged[k];
 }
 
+std::vector<BridgedGap> MergedGaps(std::vector<BridgedGap> gaps) {
+  std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.from_s < b.from_s; });
+  std::vector<BridgedGap> merged;
+  for (const BridgedGap& gap : gaps)
+    if (!merged.empty() && gap.from_s <= merged.back().to_s)
+      merged.back().to_s = std::max(merged.back().to_s, gap.to_s);
+    else merged.push_back(gap);
+  return merged;
+}
+
 std::vector<char> BridgedSamples(const TimeRecording& recording, const std::vector<BridgedGap>& gaps) {
   const double rounding = 1e-6 * recording.step_s;
   std::vector<char> is_bridged(gaps.empty() ? 0 : recording.samples());

@@ -143,7 +143,7 @@ inline const Finding kSteppedSineAsHistory{"stepped-sine-as-history", Severity::
                                            "a stepped sine, not a time history",
                                            "list it under 'recordings' of a study of a vehicle on posts"};
 inline const Finding kSampleMissing{"sample-missing", Severity::kError, "column '{}' has {} {}",
-                                    "fill the gap or cut the recording there"};
+                                    "state 'bridge' with the longest gap, or cut the recording there"};
 inline const Finding kUnitMissing{"unit-missing", Severity::kError, "column '{}', {}, has no unit",
                                   "write that of a {} {}, or state it: {channel: {}, unit: {}} in a study, --unit for "
                                   "`fourpost frf` and `fourpost init`"};

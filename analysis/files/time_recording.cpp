@@ -17,6 +17,7 @@
 #include "analysis/signals/median.h"
 #include "analysis/signals/spline_through.h"
 #include "analysis/signals/uneven_samples.h"
+#include "analysis/text/counted.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 
@@ -60,6 +61,7 @@ class RecordReader {
       for (std::size_t i = 0; i < wanted.size(); ++i)
         if (!held_[i].empty()) BridgeMissing(times, recording.channels[i]);
       recording.gaps = held_;
+      ReportBridged(recording);
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) Prepare(wanted[i], recording.channels[i], recording);
     if (!good_) return std::nullopt;
@@ -223,9 +225,7 @@ class RecordReader {
           OnGrid(wanted[i], times, recording.channels[i], grid, usual, longest_s, held_[i], recording.gaps[i]);
     if (!good_) return;
     if (preparation.rate_Hz) recording.preparations.push_back("resampled to " + FormatNumber(rate_Hz) + " Hz");
-    if (bridged_ > 0)
-      recording.preparations.push_back(std::to_string(bridged_) + " gaps of channels bridged, the longest " +
-                                       SecondsText(longest_bridged_s_));
+    ReportBridged(recording);
   }
 
   /// A sample that comes later than this many usual steps is a gap.
@@ -244,8 +244,6 @@ class RecordReader {
         Fault(kGapNotBridged, table_.line(row),
               {channel.names.front(), SecondsText(gap.from_s), SecondsText(gap.to_s), SecondsText(longest_s)});
       if (gap_s <= kJitter * usual) return;
-      ++bridged_;
-      longest_bridged_s_ = std::max(longest_bridged_s_, gap_s);
       if (at.empty()) gap.from_s -= usual;
       if (last) gap.to_s += usual;
       gaps.push_back(gap);
@@ -264,6 +262,17 @@ class RecordReader {
     std::vector<double> asked;
     for (const double t : grid) asked.push_back(std::clamp(t, at.front(), at.back()));
     return InterpolatedAt(at, known, asked);
+  }
+
+  /// Gaps of the recording, whatever number of channels has each.
+  static void ReportBridged(TimeRecording& recording) {
+    std::vector<BridgedGap> all;
+    for (const std::vector<BridgedGap>& gaps : recording.gaps) all.insert(all.end(), gaps.begin(), gaps.end());
+    const std::vector<BridgedGap> merged = MergedGaps(std::move(all));
+    if (merged.empty()) return;
+    double longest_s = 0;
+    for (const BridgedGap& gap : merged) longest_s = std::max(longest_s, gap.to_s - gap.from_s);
+    recording.preparations.push_back(Counted(merged.size(), "gap") + " bridged, the longest " + SecondsText(longest_s));
   }
 
   static std::string Rate(double rate_Hz) { return FormatNumber(std::round(1e4 * rate_Hz) / 1e4); }
@@ -330,8 +339,6 @@ class RecordReader {
   bool may_miss_ = false;
   /// Of each channel, from the last good sample before to the first behind.
   std::vector<std::vector<BridgedGap>> held_;
-  int bridged_ = 0;
-  double longest_bridged_s_ = 0;
   /// Of channels that are integrated.
   std::map<std::string, int> integrals_;
 };

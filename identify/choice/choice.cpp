@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "identify/choice/engine_comparison.h"
 #include "identify/choice/engine_error.h"
@@ -56,9 +55,9 @@ Choice RateByEngines(const ChoiceRequest& request, const SettingTable& table, co
   Choice rated = unrated;
   RateSettings(request, table, {}, rated);
   Diagnostics compared;
-  std::set<std::size_t> tried;
+  ComparedSettings settings;
   for (int round = 0; round < kMostRounds && rated.best; ++round) {
-    const bool is_new = CompareHistories(request, tried, hooks, rated, compared);
+    const bool is_new = CompareHistories(request, settings, hooks, rated, compared);
     if (!is_new) break;
     Choice again = unrated;
     again.checks = std::move(rated.checks);
@@ -70,7 +69,7 @@ Choice RateByEngines(const ChoiceRequest& request, const SettingTable& table, co
     if (rated.is_interrupted) break;
   }
   if (rated.best && request.histories && !rated.is_interrupted && rated.best != rated.present &&
-      tried.count(*rated.best) == 0)
+      settings.tried.count(*rated.best) == 0)
     compared.Report(kBestNotCompared, {request.settings.file.string()},
                     {SettingText(request.settings.knobs, rated.rows[*rated.best].setting)});
   rated.findings.Add(compared);

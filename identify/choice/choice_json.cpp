@@ -96,6 +96,7 @@ Json DoubtJson(const ChoiceAnswer& answer) {
   return {{"car", answer.confidence.empty() ? Json(nullptr) : Json(answer.confidence)},
           {"benches", benches},
           {"exact_knobs", answer.ExactKnobs()},
+          {"compared_by_histories", answer.choice.ComparedCount()},
           {"model_error_on_roads", false}};
 }
 

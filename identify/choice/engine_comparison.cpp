@@ -16,17 +16,18 @@ class EngineComparison {
   EngineComparison(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice, Diagnostics& findings)
       : request_(request), hooks_(hooks), choice_(choice), findings_(findings) {}
 
-  bool Histories(std::set<std::size_t>& tried) {
+  bool Histories(ComparedSettings& compared) {
     std::vector<std::size_t> rows = Shortlist();
-    std::erase_if(rows, [&](std::size_t row) { return row == choice_.present || tried.count(row) > 0; });
-    tried.insert(rows.begin(), rows.end());
+    std::erase_if(rows, [&](std::size_t row) { return row == choice_.present || compared.tried.count(row) > 0; });
+    compared.tried.insert(rows.begin(), rows.end());
     const std::size_t before = choice_.checks.size();
-    if (!rows.empty()) Compare(EngineCheck::Engine::kHistories, request_.histories, rows);
+    if (!rows.empty()) Compare(EngineCheck::Engine::kHistories, request_.histories, rows, compared.present);
     return choice_.checks.size() > before || choice_.is_interrupted;
   }
 
   void Full() {
-    if (request_.full) Compare(EngineCheck::Engine::kFull, request_.full, {*choice_.best});
+    std::optional<SettingScore> present;
+    if (request_.full) Compare(EngineCheck::Engine::kFull, request_.full, {*choice_.best}, present);
     Report();
   }
 
@@ -48,7 +49,9 @@ class EngineComparison {
     return rows;
   }
 
-  void Compare(EngineCheck::Engine engine, const MetricsOf& metrics_of, const std::vector<std::size_t>& rows) {
+  /// `present_by_engine`: empty before it was computed.
+  void Compare(EngineCheck::Engine engine, const MetricsOf& metrics_of, const std::vector<std::size_t>& rows,
+               std::optional<SettingScore>& present_by_engine) {
     // Histories know no modes, and so not all that limits are set on.
     SettingsFile objectives = request_.settings;
     objectives.limits.clear();
@@ -59,9 +62,12 @@ class EngineComparison {
     for (const std::size_t row : rows)
       if (row != choice_.present) settings.push_back(choice_.rows[row].setting);
     const std::vector<SettingScore> fast = ScoresOf(by_spectra, settings, request_.fitted, request_.threads, {});
-    const std::vector<SettingScore> slow = ScoresOf(by_engine, settings, request_.fitted, request_.threads, hooks_);
-    choice_.is_interrupted = slow.empty();
+    if (present_by_engine) settings.erase(settings.begin());
+    std::vector<SettingScore> slow = ScoresOf(by_engine, settings, request_.fitted, request_.threads, hooks_);
+    choice_.is_interrupted = slow.size() < settings.size();
     if (choice_.is_interrupted) return;
+    if (present_by_engine) slow.insert(slow.begin(), *present_by_engine);
+    present_by_engine = slow.front();
     std::size_t next = 1;
     for (const std::size_t row : rows) {
       if (row == choice_.present) continue;
@@ -143,9 +149,9 @@ class EngineComparison {
 
 }  // namespace
 
-bool CompareHistories(const ChoiceRequest& request, std::set<std::size_t>& tried, const WorkHooks& hooks,
-                      Choice& choice, Diagnostics& findings) {
-  return request.histories && EngineComparison(request, hooks, choice, findings).Histories(tried);
+bool CompareHistories(const ChoiceRequest& request, ComparedSettings& compared, const WorkHooks& hooks, Choice& choice,
+                      Diagnostics& findings) {
+  return request.histories && EngineComparison(request, hooks, choice, findings).Histories(compared);
 }
 
 void CompareFull(const ChoiceRequest& request, const WorkHooks& hooks, Choice& choice) {

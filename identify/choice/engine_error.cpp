@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Twice the exponent. Of 100 settings of a Land Rover, which were all compared, 3/4 foretold those near three of them
+/// Twice the exponent. Of 100 settings of a Land Rover, which were all compared, 3/4 predicted those near three of them
 /// best, better than 1/2, 0.9, and a plane; see tests/validation.
 constexpr double kRoughness = 1.5;
 

@@ -136,7 +136,7 @@ class Suggest(ProgramTest):
             "    posts: {post: post_post}",
             f"    channels: {{{', '.join(f'{name}: {source}' for name, source in channels.items())}}}",
             "model_error: {history: 1 %}", "search: {evaluations: 20, starts: 1}", ""]))
-        self.run_program("fit", "study.yaml", "-o", "run", "--threads", "1", "--accept-implausible", code=None)
+        self.run_program("fit", "study.yaml", "-o", "run", "--threads", "1", "--accept-implausible")
         every = self.suggested("--all")
         self.assertEqual([one["text"] for one in every["failures"] if one["text"].startswith("delay")], [])
         first = every["suggestions"][0]

@@ -191,7 +191,11 @@ class ByteReader {
     bool has_value = false;
     Get(has_value);
     value.reset();
-    if (has_value) Get(value.emplace());
+    if (!has_value) return;
+    // clang 14 has no emplace() for a nested record with default values.
+    T read{};
+    Get(read);
+    value = std::move(read);
   }
   template <typename Record>
   void Get(Record& record) {

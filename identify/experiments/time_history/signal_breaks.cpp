@@ -1,6 +1,7 @@
 #include "identify/experiments/time_history/signal_breaks.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <span>
 
@@ -27,12 +28,27 @@ std::set<std::size_t> JumpsOfPosts(const MeasuredHistory& history) {
   return jumps;
 }
 
+std::vector<std::size_t> Outliers(std::span<const double> signal) {
+  std::vector<std::size_t> spikes = Spikes(signal);
+  if (spikes.empty()) return spikes;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    if (std::binary_search(spikes.begin(), spikes.end(), k)) continue;
+    least = std::min(least, signal[k]);
+    most = std::max(most, signal[k]);
+  }
+  std::erase_if(spikes,
+                [&](std::size_t k) { return signal[k] < most + (most - least) && signal[k] > least - (most - least); });
+  return spikes;
+}
+
 }  // namespace
 
 std::vector<SpikedSignal> SpikedSignals(const MeasuredHistory& history) {
   std::vector<SpikedSignal> spiked;
   for (const MeasuredSignal& signal : history.signals) {
-    const std::vector<std::size_t> spikes = Spikes(ValuesOf(signal.values));
+    const std::vector<std::size_t> spikes = Outliers(ValuesOf(signal.values));
     if (spikes.empty()) continue;
     const auto first = static_cast<Eigen::Index>(spikes.front());
     spiked.push_back({.name = signal.name,

@@ -8,7 +8,8 @@
 
 namespace fourpost {
 
-/// Samples of a signal that stand out, see Spikes().
+/// Samples of a signal that stand out (Spikes) by more than the span of all others: an impact that is sampled coarsely
+/// may be a spike, but it is no such one.
 struct SpikedSignal {
   std::string name;
   /// Of the study.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/files/bridged_samples.h"
 #include "analysis/signals/uneven_samples.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/mode_times.h"
@@ -50,16 +51,6 @@ double ErrorOfBridging(std::span<const double> input, std::size_t gap, std::size
   return samples > 0 ? std::sqrt(squares / static_cast<double>(samples)) : std::numeric_limits<double>::infinity();
 }
 
-std::vector<BridgedGap> Merged(std::vector<BridgedGap> gaps) {
-  std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.from_s < b.from_s; });
-  std::vector<BridgedGap> merged;
-  for (const BridgedGap& gap : gaps)
-    if (!merged.empty() && gap.from_s <= merged.back().to_s)
-      merged.back().to_s = std::max(merged.back().to_s, gap.to_s);
-    else merged.push_back(gap);
-  return merged;
-}
-
 double SettlingTimeOf(const Vehicle& vehicle, const MeasuredHistory& history) {
   constexpr double kLongest_s = 10;
   double settled_s = 0;
@@ -99,7 +90,7 @@ UnknownMotion LeaveOutMotion(const Vehicle& vehicle, std::vector<BridgedGap> gap
   const auto sample = [&](double t) { return (t - history.TimeAt(0)) * history.rate_Hz; };
   constexpr double kRounding = 1e-6;
   Eigen::Index next = 0;
-  for (const BridgedGap& gap : Merged(std::move(gaps))) {
+  for (const BridgedGap& gap : MergedGaps(std::move(gaps))) {
     const auto first = std::max(next, static_cast<Eigen::Index>(std::floor(sample(gap.from_s) + kRounding)) + 1);
     const auto end =
         std::min(history.count, static_cast<Eigen::Index>(std::ceil(sample(gap.to_s + unknown.settled_s) - kRounding)));

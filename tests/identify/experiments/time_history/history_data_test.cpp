@@ -254,6 +254,10 @@ TEST_F(HistoryDataTest, TakesTheWeightFromWhatALoggerHeld) {
 }
 
 TEST_F(HistoryDataTest, NamesSamplesThatStandOut) {
+  // As of an impact that one sample sees.
+  recorded_.readings(2345, 4) += 2.5 * recorded_.readings.col(4).maxCoeff();
+  ASSERT_TRUE(Load()) << diagnostics_.Format();
+  EXPECT_THAT(diagnostics_, testing::Not(Reports(kChannelSpiked)));
   recorded_.readings(1234, 4) = 32767;
   ASSERT_TRUE(Load()) << diagnostics_.Format();
   EXPECT_THAT(diagnostics_, Reports(kChannelSpiked, 5, {"'F_tyre'", "1 sample", "2.468 s"}));
