@@ -106,7 +106,7 @@ class Choose(ProgramTest):
             self.assert_finding(outcome.stderr, "choice-bench-doubt-only", "car/vehicle.urdf")
             self.assertEqual(document["doubt_contains"], {
                 "car": None, "benches": [{"run": "bench", "confidence": "80 to 90 %", "knobs": ["damper"]}],
-                "exact_knobs": ["spring"], "model_error_on_roads": False})
+                "exact_knobs": ["spring"], "compared_by_histories": 0, "model_error_on_roads": False})
             best.append(document["best"])
         self.assertGreater(best[0]["best_probability"], 0.95)
         self.assertLess(best[1]["best_probability"], 0.8)

@@ -175,7 +175,7 @@ class Draft(ProgramTest):
     def test_compares_motion_beside_a_gap_that_is_too_long_to_bridge(self):
         # 16 steps of 5 ms; the longest stretch comes before it.
         text, channels = self.sweep_with_gaps([(4000, 15)])
-        self.assertNotIn("bridge", text)
+        self.assertNotIn("bridge: ", text)
         self.assertIn("# look at: sweep.csv: motion was compared from 0 to 20.00 s, the longest stretch without a gap above "
                       "50 ms\n", text.replace("19.99", "20.00").replace("20.0 s", "20.00 s"))
         self.assertEqual(channels["s_strut"]["state"], "look at")
@@ -274,7 +274,7 @@ class Draft(ProgramTest):
         text = (self.folder / "study/study.yaml").read_text()
         self.assertIn("bench:\n  displacement: {channel: dist, unit: m}\n  force: {channel: forc, unit: N}\n"
                       "  recordings:\n    - file: ../bare.csv\n", text)
-        self.assertIn("      time: {channel: t, unit: ms}\n      bridge: 19 ms  # 5 gaps, the longest 18 ms\n"
+        self.assertIn("      time: {channel: t, unit: ms}\n      bridge: 19 ms  # 2 gaps, the longest 18 ms\n"
                       "    - file: ../other.csv\n      displacement: displacement\n      force: F rod\n", text)
         self.run_program("response", "study/study.yaml")
         # What the study says of a file holds for its prediction, and a new file with the same columns is read alike.

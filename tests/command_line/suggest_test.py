@@ -159,15 +159,17 @@ class Suggest(ProgramTest):
         self.assertEqual([one["value"] for one in check["parameters"] if one["name"] == "kt"], [230e3])
 
     def test_friction_of_a_damper_on_a_bench_can_be_fitted(self):
-        """It is a second damper beside the one that was recorded."""
+        """It is a second damper beside the one that was recorded. This one has none, so its speed is not determined: code 1."""
         suggest.bench(self.folder, ("", "linear", 0), random.Random(1))
         self.fit("study.yaml", "run")
         every = self.suggested("--all")["suggestions"]
         number = next(one["number"] for one in every if one["mechanism"] == "friction")
         self.suggested("--all", "--apply", number, "-o", "with_friction")
-        self.fit("with_friction/study.yaml", "run2")
+        self.fit("with_friction/study.yaml", "run2", code=1)
         result = json.loads((self.folder / "run2/result.json").read_text())
-        self.assertIn("friction_damper", [one["name"] for one in result["parameters"]])
+        found = {one["name"]: one for one in result["parameters"]}
+        self.assertLess(found["friction_damper"]["value"], 1)
+        self.assertIn("v_friction_damper", found)
 
 
 if __name__ == "__main__":

@@ -352,39 +352,48 @@ double HistoryResiduals::SquaresOf(const MeasuredHistory& history, const Eigen::
   return squares;
 }
 
-Eigen::MatrixXd HistoryResiduals::WithStart(std::size_t h, const std::vector<double>& values,
-                                            const Eigen::MatrixXd& modelled) const {
+Eigen::MatrixXd HistoryResiduals::MarchedFrom(std::size_t h, const CondensedModel& model,
+                                              const Eigen::MatrixXd& modelled) const {
   constexpr int kMostRounds = 8;
   constexpr double kVisible = 1e-4;
   const MeasuredHistory& history = histories_[h];
-  const CondensedModel model = ModelOf(history, values);
-  Eigen::MatrixXd linear = modelled;
-  AddStartTo(history, model, linear);
-  const std::vector<Damper>& dampers = condensed_->vehicle().dampers;
-  const auto has_oil = [](const Damper& damper) { return damper.hydraulic.has_value(); };
-  if (history.release || std::any_of(dampers.begin(), dampers.end(), has_oil)) return linear;
   const FreeMotion motion = FreeMotionOf(history, model);
+  const Eigen::MatrixXd from_rest = simulations_[h].Run(model);
   Eigen::VectorXd kick = Eigen::VectorXd::Zero(motion.states.rows());
   Eigen::MatrixXd best = modelled;
   double least = SquaresOf(history, best);
+  for (int round = 0; round < kMostRounds && motion.states.cols() > 0; ++round) {
+    kick += motion.states * StartOf(history, motion, WeightsOf(history), history.Stride(), best);
+    Eigen::MatrixXd moved = modelled + simulations_[h].RunKicked(model, kick) - from_rest;
+    const double squares = SquaresOf(history, moved);
+    if (!(squares < least)) break;
+    const bool is_done = squares > (1 - kVisible) * least;
+    best = std::move(moved);
+    least = squares;
+    if (is_done) break;
+  }
+  return best;
+}
+
+Eigen::MatrixXd HistoryResiduals::WithStart(std::size_t h, const std::vector<double>& values,
+                                            const Eigen::MatrixXd& modelled) const {
+  constexpr double kWorth = 0.1;
+  const MeasuredHistory& history = histories_[h];
+  const CondensedModel model = ModelOf(history, values);
+  Eigen::MatrixXd best = modelled;
+  AddStartTo(history, model, best);
+  const std::vector<Damper>& dampers = condensed_->vehicle().dampers;
+  const bool has_oil =
+      std::any_of(dampers.begin(), dampers.end(), [](const Damper& damper) { return damper.hydraulic.has_value(); });
   try {
-    const Eigen::MatrixXd from_rest = simulations_[h].Run(model);
-    for (int round = 0; round < kMostRounds && motion.states.cols() > 0; ++round) {
-      const Eigen::VectorXd next =
-          kick + motion.states * StartOf(history, motion, WeightsOf(history), history.Stride(), best);
-      const Eigen::MatrixXd moved = modelled + simulations_[h].RunKicked(model, next) - from_rest;
-      const double squares = SquaresOf(history, moved);
-      if (!(squares < least)) break;
-      const bool is_done = squares > (1 - kVisible) * least;
-      kick = next;
-      best = moved;
-      least = squares;
-      if (is_done) break;
+    if (!history.release && !has_oil) {
+      const Eigen::MatrixXd marched = MarchedFrom(h, model, modelled);
+      if (SquaresOf(history, marched) < SquaresOf(history, best)) best = marched;
     }
   } catch (const std::runtime_error&) {
-    // A kick that the model cannot follow.
+    // A state from which the model cannot go on.
   }
-  return least < SquaresOf(history, linear) ? best : linear;
+  return SquaresOf(history, best) < (1 - kWorth) * SquaresOf(history, modelled) ? best : modelled;
 }
 
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {

@@ -109,7 +109,8 @@ class HistoryResiduals {
   double DeviationOf(const MeasuredSignal& signal) const;
 
   /// Whitened: what an engine gives from rest, with what another state at the record's first sample changes in the
-  /// reduced model: that which suits the measurement best. Found by Gauss and Newton's method with the free motion of
+  /// reduced model: that which suits the measurement best, if it takes away a tenth of the squares of what was missed,
+  /// which errors of a model do not come to from rest. Found by Gauss and Newton's method with the free motion of
   /// AddStart(), so that dampers may be nonlinear; of hydraulic ones to first order.
   Eigen::MatrixXd WithStart(std::size_t history, const std::vector<double>& values,
                             const Eigen::MatrixXd& modelled) const;
@@ -139,6 +140,8 @@ class HistoryResiduals {
   /// What the signals would be with an instrument off by one standard deviation, the state at the start not added.
   Eigen::MatrixXd Calibrated(std::size_t h, const CondensedModel& model, const Calibration& calibration,
                              const Eigen::MatrixXd& modelled) const;
+  /// See WithStart(). Throws as HistorySimulation::Run() does.
+  Eigen::MatrixXd MarchedFrom(std::size_t h, const CondensedModel& model, const Eigen::MatrixXd& modelled) const;
   /// Of each signal's squares.
   Eigen::VectorXd WeightsOf(const MeasuredHistory& history) const;
   /// Weighted, of every sample that counts.

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
                   R"(name="k")",
                   kValueWithoutUnit,
                   {R"(value="15" of fp:parameter)", "'k'", "15 N/mm"}},
-        FaultCase{"UnitUnknown", "200 kN/m", "200 kN/in", "<fp:tyre", kNumberUnknownUnit, {"'kN/in'"}},
+        FaultCase{"UnitUnknown", "200 kN/m", "200 kN/furlong", "<fp:tyre", kNumberUnknownUnit, {"'kN/furlong'"}},
         FaultCase{"WrongDimension", "200 kN/m", "200 kN", "<fp:tyre", kNumberOfOtherDimension},
         FaultCase{"NotANumber", "200 kN/m", "stiff", "<fp:tyre", kNotAQuantity},
         FaultCase{"NotAVector", R"(xyz="0 0 -0.3")", R"(xyz="0 0")", "<fp:tyre", kNotAVector},

@@ -138,7 +138,11 @@ INSTANTIATE_TEST_SUITE_P(
                                DashpotDescription::Friction{.force = {40}, .speed = {0.02}};
                            vehicle.dampers[0].series = {300e3};
                          }},
-                    Case{"WithFrictionThatSticks", [](Vehicle& vehicle) { AddSeal(vehicle, 60); }},
+                    Case{"WithFrictionThatSticks",
+                         [](Vehicle& vehicle) {
+                           vehicle.tyres[0].lifts_off = false;
+                           AddSeal(vehicle, 60);
+                         }},
                     Case{"ThatLeavesTheGround", [](Vehicle& vehicle) { vehicle.tyres[0].lifts_off = true; }, true}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
