@@ -71,8 +71,8 @@ inline const Finding kGapNotBridged{"gap-not-bridged", Severity::kError,
                                     "raise 'bridge', or cut the recording by 'start' and 'end'"};
 inline const Finding kChannelHeld{
     "channel-held", Severity::kWarning,
-    "{} stand still from {} to {}{}, and then go on elsewhere, as of a logger that lost time or a loose plug: {} samples "
-    "of each count as not measured",
+    "{} did not change from {} to {}{}, and then went on from another value, as of a logger that lost time or a loose "
+    "plug: {} samples of each count as not measured",
     "record again where it matters"};
 inline const Finding kResampledBelow{
     "resampled-below", Severity::kError,

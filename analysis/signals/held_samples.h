@@ -23,7 +23,7 @@ struct HeldSamples {
 /// coarse converters and values that were repeated at a higher rate do not count. A signal that jumped to the value, as
 /// a loose plug makes it, has no good sample there, not even the first. Where all signals that change at all
 /// stand at once, half of the steps, and a third of the signals, are enough, and all are held. Signals of which a fifth
-/// would be held are not judged, nor signals that differ in length.
+/// would be held, or that stand more than 200 times, are not judged, nor signals that differ in length.
 std::vector<std::vector<HeldSamples>> HeldStretches(std::span<const std::vector<double>> signals);
 
 }  // namespace fourpost

@@ -138,13 +138,15 @@ std::string DoubtSection(const ChoiceAnswer& answer) {
 }
 
 std::string NextSection(const ChoiceAnswer& answer) {
-  if (answer.choice.runs.empty()) return "";
+  const std::string words = RunWords(answer);
+  if (words.empty()) return "";
+  if (answer.choice.runs.empty()) return html::Section("next", "What to test next", Paragraph(words));
   std::vector<std::vector<html::Cell>> rows;
   for (const InformativeRun& run : answer.choice.runs)
     rows.push_back({TextCell(answer.NameOf(run.setting)), NumberCell(ShownPercent(run.gain)),
                     NumberCell(ShownPercent(run.sd_before)), NumberCell(ShownPercent(run.sd_after))});
   return html::Section("next", "What to test next",
-                       Paragraph(RunWords(answer)) +
+                       Paragraph(words) +
                            html::Table({"setting", "regret falls by, %", "sd before, %", "sd after, %"}, rows) +
                            "<p class=\"note\">Each given the runs above it: knowledge gradient of correlated normal "
                            "beliefs.</p>\n");

@@ -161,9 +161,9 @@ std::string EngineWords(const ChoiceAnswer& answer) {
     return row.is_admitted && row.beside_best.mean <= most;
   });
   const auto others = static_cast<std::size_t>(within - 1);
-  return "The multibody system changes all objectives together by " + SharePercent(most) +
-         " otherwise than the reduced model; within that of the best " + (others == 1 ? "is " : "are ") +
-         Counted(others, "other setting") + ".";
+  return "The multibody system and the reduced model differ by " + SharePercent(most) +
+         " in the change of all objectives together; " + Counted(others, "other setting") +
+         (others == 1 ? " is" : " are") + " within that of the best one.";
 }
 
 }  // namespace fourpost

@@ -146,8 +146,8 @@ inline const Finding kEnginesDisagree{"engines-disagree", Severity::kWarning,
                                       "for {} of {} settings '{}' changes otherwise by {} than by spectra, by more "
                                       "than {}; the worst is {}, {} by spectra and "
                                       "{} by them",
-                                      "trust the latter; changes, P(best) and regret follow time histories, the more "
-                                      "settings 'shortlist' has compared, the better"};
+                                      "trust the latter; changes, P(best) and regret follow time histories, more surely "
+                                      "with a larger 'shortlist'"};
 inline const Finding kBestNotCompared{
     "best-not-compared", Severity::kWarning,
     "the best setting, {}, was not compared with time histories: each round of comparisons made another one the best",

@@ -122,6 +122,30 @@ class Suggest(ProgramTest):
         self.assertNotIn("missing", " ".join(one["limited_by"] for one in result["parameters"]))
         answer = self.run_program("suggest", "run", "--study", "study.yaml")
         self.assert_finding(answer.stderr, "suggest-post-noise", "run/result.json")
+        # Neither is it misfit of channels, nor motion: the road has nothing above 30 Hz, the noise goes up to 100.
+        for channel in result["channels"]:
+            self.assertLess(channel["misfit"], 1.3, channel["name"])
+        posts = next(one for one in result["covered"] if one["quantity"] == "frequency")
+        self.assertLess(posts["upper"], 35)
+        self.predict_parts({channel["name"]: channel["nmse_percent"] for channel in result["channels"]})
+
+    def predict_parts(self, errors):
+        """Of the noisy recording three seconds in its middle, and all but what a logger held: no worse than the fit by much."""
+        lines = (self.folder / "recording.csv").read_text().splitlines()
+        self.write("middle.csv", "\n".join(lines[:2] + lines[2002:2602]) + "\n")
+        held = lines[:2002] + [f"{lines[k].split(',')[0]},{lines[2001].split(',', 1)[1]}" for k in range(2002, 2042)] + lines[2042:]
+        self.write("held.csv", "\n".join(held) + "\n")
+        for name in ("middle", "held"):
+            answer = self.run_program("predict", "run", "--recording", f"{name}.csv", "--json")
+            predicted = json.loads(answer.stdout)
+            for channel in predicted["channels"]:
+                self.assertLess(channel["nmse_percent"], 2 * errors[channel["name"]], channel)
+            counts = predicted["band_95"]["channels"]
+            if name == "held":
+                self.assert_finding(answer.stderr, "channel-held", "held.csv")
+                self.assert_finding(answer.stderr, "input-unknown", "run/study.yaml")
+                self.assertLess(counts[0]["points"], 4001 - 40)
+            self.assertLess(sum(one["outside"] for one in counts), 0.1 * sum(one["points"] for one in counts), name)
 
     def test_looks_for_delays_of_histories_and_states_the_misfit_of_the_fit(self):
         """With a channel that comes 12 ms late, other channels listed in braces, and noise on the posts as well."""

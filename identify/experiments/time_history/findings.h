@@ -106,9 +106,9 @@ inline const Finding kPostSaturated{
     "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
 inline const Finding kChannelSpiked{
     "channel-spiked", Severity::kWarning,
-    "'{}' of '{}' has {} that stand out, the first with {} from the mean at {}, as of a lost bit or a loose plug: the fit "
-    "follows them",
-    "leave such fields empty and state 'bridge', or fit by a robust loss ('loss' of 'refine'); nothing if it was an impact",
+    "'{}' of '{}' has wild values, as of a lost bit or a loose plug: {}, the first {} from the mean at {}; the fit follows "
+    "them",
+    "leave such fields empty and state 'bridge', or fit by a robust loss ('loss' of 'refine')",
     Weight::kGrave};
 inline const Finding kTimesClosedUp{
     "times-closed-up", Severity::kWarning,
@@ -116,8 +116,8 @@ inline const Finding kTimesClosedUp{
     "give the rows the times at which they were recorded"};
 inline const Finding kInputUnknown{
     "input-unknown", Severity::kWarning,
-    "{} of '{}' was not measured from {} to {}{}, so the vehicle's motion is unknown there and for {} s after, until it "
-    "has settled: these samples have no weight ({} % of all)",
+    "no measurement of {} in '{}' from {} to {}{}: the vehicle's motion is unknown there and for {} s after, until it has "
+    "settled, so these samples have no weight ({} % of all)",
     "record without gaps where more is needed"};
 inline const Finding kInputNeverKnown{
     "input-never-known", Severity::kError,

@@ -23,6 +23,7 @@
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/history_names.h"
 #include "identify/experiments/time_history/motionless_signals.h"
 #include "identify/experiments/time_history/post_sampling.h"
 #include "identify/experiments/time_history/signal_breaks.h"
@@ -61,7 +62,7 @@ class HistoryLoader {
         actuator_gaps_(vehicle.actuators.size()) {}
 
   std::optional<MeasuredHistory> Load() {
-    CheckNames();
+    good_ = CheckHistoryNames(study_, file_, vehicle_, diagnostics_);
     for (const auto& [post, source] : study_.posts) Want(source, kLength, "the height of post '" + post + "'");
     for (const auto& [actuator, source] : study_.actuators)
       Want(source, kForce, "the tension of actuator '" + actuator + "'");
@@ -111,39 +112,6 @@ class HistoryLoader {
   void Fault(const Finding& finding, int line, const std::vector<std::string>& words) {
     diagnostics_.Report(finding, {file_, line}, words);
     good_ = false;
-  }
-
-  void CheckNames() {
-    if (study_.channels.empty()) Fault(kNoChannelByName, study_.line, {DidYouMeanOrAll("", sensors_)});
-    for (const auto& [post, source] : study_.posts)
-      if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
-    for (const auto& [actuator, source] : study_.actuators) CheckActuator(actuator, source.line);
-    for (const auto& [actuator, load] : study_.loads_N) CheckActuator(actuator, study_.line);
-    for (const auto& [sensor, source] : study_.channels)
-      if (!IndexOf(sensor, sensors_))
-        Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
-    if (study_.release) CheckRelease();
-    // Posts that are not named rest.
-    if ((study_.release || !study_.actuators.empty()) && study_.posts.empty()) return;
-    for (const std::string& post : posts_)
-      if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
-        Fault(kHistoryPostMissing, study_.line, {study_.name, post});
-  }
-
-  void CheckActuator(const std::string& actuator, int line) {
-    if (!IndexOf(actuator, actuators_))
-      Fault(kHistoryActuatorUnknown, line, {actuator, DidYouMeanOrAll(actuator, actuators_)});
-  }
-
-  void CheckRelease() {
-    for (const Release::Hold& hold : study_.release->held) {
-      const std::optional<std::size_t> sensor = IndexOf(hold.sensor, sensors_);
-      if (!sensor) Fault(kHistorySensorUnknown, hold.line, {hold.sensor, DidYouMeanOrAll(hold.sensor, sensors_)});
-      else if (ParseUnit(UnitOf(vehicle_.sensors[*sensor].type))->dimension != kLength)
-        Fault(kReleaseOfOtherSensor, hold.line, {hold.sensor});
-    }
-    for (const Damper& damper : vehicle_.dampers)
-      if (damper.hydraulic) Fault(kReleaseHydraulic, study_.line, {study_.name, damper.name});
   }
 
   /// Its sensors in the vehicle.

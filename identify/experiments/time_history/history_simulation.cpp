@@ -221,11 +221,11 @@ Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Eigen:
   return signals;
 }
 
-Eigen::MatrixXd HistorySimulation::RunKicked(const CondensedModel& model, const Eigen::VectorXd& kick) const {
+Eigen::MatrixXd HistorySimulation::RunWithOffset(const CondensedModel& model, const Eigen::VectorXd& offset) const {
   Eigen::MatrixXd readings(model.on_position.rows(), samples_);
   Index steps = 0;
   const auto follow = [&](CondensedStepper& stepper) {
-    if (steps == lead_ * parts_) stepper.SetState(stepper.state() + kick, PostsAt(steps));
+    if (steps == lead_ * parts_) stepper.SetState(stepper.state() + offset, PostsAt(steps));
     ++steps;
   };
   March(model, {}, {}, follow, [&](Index k, const CondensedStepper& stepper) { stepper.Read(readings.col(k)); });

@@ -43,9 +43,9 @@ class HistorySimulation {
   /// From this state; empty: from rest.
   Eigen::MatrixXd Run(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline) const;
 
-  /// From rest, and with `kick` added to the state [s s' x] at the record's first sample. Not for a release, nor for
+  /// From rest, and with `offset` added to the state [s s' x] at the record's first sample. Not for a release, nor for
   /// hydraulic dampers, whose oil has states of its own.
-  Eigen::MatrixXd RunKicked(const CondensedModel& model, const Eigen::VectorXd& kick) const;
+  Eigen::MatrixXd RunWithOffset(const CondensedModel& model, const Eigen::VectorXd& offset) const;
 
   /// What Run() gives for each neighbour of a model, to first order in their difference: see MotionSensitivity, whose
   /// Covers() must hold. Not for a release, whose start depends on the model. Throws as Run() does.

@@ -85,6 +85,38 @@ TEST(TimeRecording, TakesLostSamplesAsLost) {
   EXPECT_EQ(recording->gaps[0].size(), 43);
 }
 
+// A cubic through noise would go on by metres.
+TEST(TimeRecording, HoldsTheEndValuesOfAChannelThatBeginsLate) {
+  std::string text = "time,F,displacement\ns,N,mm\n";
+  for (int k = 0; k < 300; ++k)
+    text += std::to_string(2e-3 * k) + "," + std::to_string(std::sin(k)) + "," +
+            (k < 15 ? "" : std::to_string(10 + std::cos(5 * k))) + "\n";
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const auto recording = ReadTimeRecording(folder.Write("late.csv", text), kWanted, diagnostics, kTimeColumn,
+                                           TimePreparation{.bridge_s = 0.05});
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  for (std::size_t k = 0; k < 15; ++k) EXPECT_NEAR(recording->channels[0][k], recording->channels[0][15], 1e-15) << k;
+  // Of both channels one gap.
+  EXPECT_THAT(recording->preparations, testing::Contains(testing::StartsWith("1 gap bridged")));
+}
+
+TEST(TimeRecording, BridgesWhatWasHeldBesideOtherGaps) {
+  std::string text = "time,F,displacement\ns,N,mm\n";
+  for (int k = 0; k < 300; ++k) {
+    const int at = k >= 150 && k < 200 ? 149 : k;
+    text += std::to_string(2e-3 * k) + "," + (k == 200 ? "" : std::to_string(std::sin(0.1 * at))) + "," +
+            std::to_string(10 + std::cos(0.07 * at)) + "\n";
+  }
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const auto recording = ReadTimeRecording(folder.Write("held.csv", text), kWanted, diagnostics, kTimeColumn,
+                                           TimePreparation{.bridge_s = 0.01});
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  EXPECT_THAT(diagnostics, Reports(kChannelHeld, 153, {"'x'"}));
+  EXPECT_THAT(recording->preparations, testing::Contains(testing::StartsWith("1 gap bridged")));
+}
+
 TEST(TimeRecording, TakesUnitSignScaleAndDelayFromTheStudy) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;

@@ -267,7 +267,7 @@ TEST(Choice, ComparesEnginesAndSaysWhereTheyDisagree) {
   const double difference = 1.13 - 1 / 1.11;
   std::size_t within = 0;
   for (const RatedSetting& row : choice.rows) within += row.beside_best.mean <= difference ? 1 : 0;
-  EXPECT_THAT(ChoiceText(answer), testing::HasSubstr("are " + std::to_string(within - 1) + " other settings."));
+  EXPECT_THAT(ChoiceText(answer), testing::HasSubstr(std::to_string(within - 1) + " other settings are within"));
   request.full = [](std::span<const double>) -> MatrixXd { throw std::runtime_error("diverges"); };
   EXPECT_THAT(Choose(request, {}).findings, Reports(kEngineWithoutRide, {"diverges"}));
 }

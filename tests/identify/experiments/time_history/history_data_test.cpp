@@ -230,7 +230,7 @@ TEST_F(HistoryDataTest, TakesTheWeightFromMotionThatFollowsAnUnknownInput) {
   const auto end = static_cast<std::size_t>(1080 + 500 * settled_s);
   EXPECT_TRUE(is_unknown[end - 1]);
   EXPECT_FALSE(is_unknown[end + 1]);
-  EXPECT_THAT(diagnostics_, Reports(kInputUnknown, 3, {"'ground' of 'sweep'", "from 1.998 s to 2.16 s"}));
+  EXPECT_THAT(diagnostics_, Reports(kInputUnknown, 3, {"'ground' in 'sweep'", "from 1.998 s to 2.16 s"}));
 }
 
 TEST_F(HistoryDataTest, RefusesARecordingWithoutAnyMotionThatIsKnown) {
