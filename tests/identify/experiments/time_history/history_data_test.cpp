@@ -278,6 +278,7 @@ TEST_F(HistoryDataTest, KnowsTimesThatWereClosedUp) {
   const auto histories = Load(StationCsv(shorter, vehicle_));
   ASSERT_TRUE(histories) << diagnostics_.Format();
   EXPECT_THAT(diagnostics_, Reports(kTimesClosedUp, 3, {"1.598 s"}));
+  ASSERT_FALSE(histories->front().signals[0].is_unknown.empty());
   EXPECT_TRUE(histories->front().signals[0].is_unknown[810]);
   EXPECT_FALSE(histories->front().signals[0].is_unknown[790]);
 }

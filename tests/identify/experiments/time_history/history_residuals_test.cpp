@@ -101,12 +101,12 @@ TEST_F(HistoryResidualsTest, AreOverNoiseAndModelError) {
     EXPECT_NEAR(given[k], (modelled[5 * k] - histories[0].signals[0].values[5 * k]) / sd, 1e-12);
 }
 
-// Against noise of other seeds that is added to the heights. Both are means of squares over four records, of which the
-// narrow-band ones hold some twenty independent samples: the factor is five standard deviations of their ratio.
+// Against noise of other seeds that is added to the heights. Both are means of squares over sixteen records, each of
+// which holds some six independent samples of the body's motion: four standard deviations of the ratio of their roots.
 TEST_F(HistoryResidualsTest, ChangeByNoiseOfPostsAsByNoiseInTheirRecord) {
   constexpr double kSd_m = 1e-4;
-  constexpr int kRecords = 4;
-  constexpr double kMost = 2;
+  constexpr int kRecords = 16;
+  constexpr double kMost = 1.4;
   vehicle_ = ShippedVehicle("single_wheel_station");
   MeasuredHistory history = Recording(std::nullopt).front();
   history.post_noise_sd = {kSd_m};
