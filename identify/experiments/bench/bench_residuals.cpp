@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/signals/deviation.h"
+#include "identify/experiments/bench/force_memory.h"
 
 namespace fourpost {
 namespace {
@@ -38,15 +39,17 @@ Target TargetOf(const BenchRecording& recording, double model_error) {
   return target;
 }
 
-Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& targets, Eigen::Index count,
-                    const std::vector<double>& values, const Deadline& deadline) {
+Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& targets, ForceMemory& memory,
+                    Eigen::Index count, const std::vector<double>& values, const Deadline& deadline) {
   Evaluation evaluation;
   evaluation.residuals.resize(count);
   double* out = evaluation.residuals.data();
-  for (const Target& target : targets) {
+  for (std::size_t t = 0; t < targets.size(); ++t) {
     deadline.Check();
+    const Target& target = targets[t];
     const BenchRecording& recording = target.recording;
-    const std::vector<double> force = ModelledForce(damper, recording, values);
+    const auto modelled = memory.Of(t, damper, recording, values);
+    const std::vector<double>& force = *modelled;
     if (force.empty()) return Infeasible(1, "a chamber of the damper closes in '" + recording.name + "'");
     for (std::size_t k = recording.first; k < recording.end; k += target.stride)
       *out++ = recording.IsUnknown(k) ? 0 : target.weight * (force[k] - recording.force[k]);
@@ -133,9 +136,12 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
           // Neighbouring values take nearly the same steps: forces change by a hundredth of what they err, see
           // kSeriesTolerance.
           .accuracy = 1e-7,
-          .evaluate = [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets), residuals](
-                          const std::vector<double>& values,
-                          const Deadline& deadline) { return Evaluate(damper, targets, residuals, values, deadline); },
+          .evaluate =
+              [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets),
+               memory = std::make_shared<ForceMemory>(vehicle, data.fitted),
+               residuals](const std::vector<double>& values, const Deadline& deadline) {
+                return Evaluate(damper, targets, *memory, residuals, values, deadline);
+              },
           .structure = std::move(structure)};
 }
 
