@@ -41,6 +41,10 @@ void PutFrom(const MatrixXd& part, Index column, MatrixXd& whole) {
   whole.block(0, column, part.rows(), part.cols()) = part;
 }
 
+bool Sticks(const Port& port) { return std::holds_alternative<FrictionRemainder>(port.law); }
+
+std::size_t Unsigned(Index count) { return static_cast<std::size_t>(count); }
+
 /// Ports included in each step.
 Index HeldOf(const std::vector<Port>& ports, CondensedStepper::Forces forces) {
   if (forces == CondensedStepper::Forces::kAdded) return std::ssize(ports);
@@ -253,14 +257,27 @@ void CondensedStepper::Start(std::span<const PostState> posts) {
 }
 
 void CondensedStepper::SetState(const Eigen::VectorXd& state, std::span<const PostState> posts) {
-  RequireCount("CondensedStepper", "states", static_cast<std::size_t>(state_.size()),
-               static_cast<std::size_t>(state.size()));
+  const Index strokes = state.size() - state_.size();
+  const Index frictions = std::count_if(ports_.begin(), ports_.end(), Sticks);
+  if (strokes != 0)
+    RequireCount("CondensedStepper", "states and strokes", Unsigned(state_.size() + frictions), Unsigned(state.size()));
   SetPosts(posts);
-  state_ = state;
+  state_ = state.head(state_.size());
   added_.setZero();
   at_start_.Rest();
   at_end_.Rest();
+  if (strokes > 0) RestFrictions(state.tail(strokes));
   FinishStart();
+}
+
+/// Where their strokes [m] began that lead to the state as it is.
+void CondensedStepper::RestFrictions(const Eigen::VectorXd& strokes) {
+  Index next = 0;
+  for (std::size_t j = 0; j < ports_.size(); ++j)
+    if (Sticks(ports_[j])) {
+      const auto port = static_cast<Index>(j);
+      at_start_.RestFriction(port, extension_on_state_.row(port).dot(state_) - strokes[next++]);
+    }
 }
 
 /// Which ports act at a state follows from it.

@@ -42,7 +42,8 @@ class CondensedStepper {
   void Start(std::span<const PostState> posts);
 
   /// Sets another state, for example corrected by a filter, the posts as given. Friction that sticks has come there
-  /// from the design pose in one stroke. Not for vehicles with hydraulic dampers, whose oil has a memory of its own.
+  /// from the design pose in one stroke, or by the strokes [m] that stand behind the state, one each. Not for vehicles
+  /// with hydraulic dampers, whose oil has a memory of its own.
   void SetState(const Eigen::VectorXd& state, std::span<const PostState> posts);
 
   /// One step, to these posts. For Forces::kNone.
@@ -96,6 +97,7 @@ class CondensedStepper {
   bool SolvePorts(PortSolver& solver, Eigen::Index count);
   bool AnyTyrePulls() const;
   void AdvanceState(std::span<const PostState> posts);
+  void RestFrictions(const Eigen::VectorXd& strokes);
   void FinishStart();
   void FinishStep();
 

@@ -2,8 +2,8 @@
 
 namespace fourpost {
 
-void FrictionStep::Rest() {
-  start_ = from_ = end_ = {};
+void FrictionStep::Rest(double extension) {
+  start_ = from_ = end_ = {.tension = 0, .extension = extension};
   stroke_ = law_.After(0, 0);
 }
 

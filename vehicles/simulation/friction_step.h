@@ -10,8 +10,8 @@ class FrictionStep {
  public:
   explicit FrictionStep(const DahlFriction& law) : law_(law) {}
 
-  /// Without force, at extension zero. The first step leads in one stroke to where the motion begins.
-  void Rest();
+  /// Without force, at this extension. The first step leads from there in one stroke to where the motion begins.
+  void Rest(double extension = 0);
 
   /// Tension [N] at the end of the step, at this extension [m].
   double Tension(double extension);

@@ -68,7 +68,7 @@ void FullStepper::Start(const PostMotion& posts, double t, const Eigen::VectorXd
   largest_ = Size(
       (Eigen::VectorXd(full_.size()) << 0.01 * mass_.diagonal(), Eigen::VectorXd::Zero(full_.size() - mass_.rows()))
           .finished());
-  StartMemory(released.size() > 0);
+  StartMemory(released);
   const Eigen::VectorXd lacking = Lacking(t);
   if (released.size() > 0) {
     stepper_.Store(moment_);
@@ -79,18 +79,21 @@ void FullStepper::Start(const PostMotion& posts, double t, const Eigen::VectorXd
   readings_ = full_.Readings();
 }
 
-void FullStepper::StartMemory(bool is_released) {
+void FullStepper::StartMemory(const Eigen::VectorXd& released) {
+  const Index strokes = released.size() - stepper_.state().size();
   extra_.setZero(extensions_.cols());
   extensions_.setZero();
   for (HydraulicStep& oil : oil_) oil.Rest();
   for (FrictionStep& friction : frictions_) friction.Rest();
-  if (is_released && full_.HasMemory()) {
+  if (released.size() > 0 && full_.HasMemory()) {
     for (std::size_t i = 0; i < memory_directions_.size(); ++i)
       extensions_.col(static_cast<Index>(i)).setConstant(memory_directions_[i].dot(Position()));
     extra_ = full_.MemoryExtensions(Position()) - extensions_.row(0).transpose();
     for (std::size_t i = 0; i < frictions_.size(); ++i) {
       const auto column = static_cast<Index>(oil_.size() + i);
-      frictions_[i].Tension(extensions_(0, column) + extra_[column]);
+      const double extension = extensions_(0, column) + extra_[column];
+      if (strokes > 0) frictions_[i].Rest(extension - released.tail(strokes)[static_cast<Index>(i)]);
+      frictions_[i].Tension(extension);
       frictions_[i].Advance();
     }
   }

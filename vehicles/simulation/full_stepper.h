@@ -48,7 +48,7 @@ class FullStepper {
   Eigen::VectorXd Lacking(double t);
   Eigen::VectorXd Memory(const Eigen::VectorXd& position);
   double MemoryExtension(std::size_t element, long part) const;
-  void StartMemory(bool is_released);
+  void StartMemory(const Eigen::VectorXd& released);
   Eigen::VectorXd Position() const;
   /// Of forces on [s x], comparable with other sizes.
   double Size(const Eigen::VectorXd& forces) const { return forces.cwiseProduct(weights_).norm(); }

@@ -78,6 +78,10 @@ void PortSolver::Rest() {
   }
 }
 
+void PortSolver::RestFriction(Eigen::Index port, double extension) {
+  std::get<FrictionStep>(memory_[static_cast<std::size_t>(port)]).Rest(extension);
+}
+
 void PortSolver::RememberFriction(const Memory& memory) {
   for (std::size_t j = 0; j < memory.size(); ++j)
     if (const auto* friction = std::get_if<FrictionStep>(&memory[j])) memory_[j] = *friction;

@@ -24,6 +24,8 @@ class PortSolver {
 
   /// Resets ports with memory to rest.
   void Rest();
+  /// Friction without force at this extension.
+  void RestFriction(Eigen::Index port, double extension);
 
   /// ports x ports, or of the first ones alone: extensions [m/N] and rates [m/s/N] per nonlinear force.
   void SetCompliance(const Eigen::MatrixXd& by_extension, const Eigen::MatrixXd& by_rate);

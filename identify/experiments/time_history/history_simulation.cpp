@@ -123,11 +123,18 @@ Eigen::VectorXd GuessStart(const MeasuredHistory& history, const CondensedModel&
   if (sensors.empty()) return guess;
   const LeastNorm rows(Eigen::MatrixXd(model.on_position(sensors, Eigen::all)), 1e-6);
   const Eigen::Index n = model.mass.rows();
-  for (Index part = 0; part < guess.size() / n; ++part) {
+  const Index parts = release.from == Release::From::kRest ? 1 : 2;
+  for (Index part = 0; part < parts; ++part) {
     Eigen::VectorXd measured(std::ssize(readings));
     for (Index i = 0; i < measured.size(); ++i)
       measured[i] = readings[static_cast<std::size_t>(i)][static_cast<std::size_t>(part)];
     guess.segment(part * n, n) = rows.Solve(measured);
+  }
+  // What sticks has begun to slide along the last motion, or away from rest.
+  for (std::size_t i = 0; i < model.rubbings.size(); ++i) {
+    const CondensedModel::Rubbing& friction = model.rubbings[i];
+    const double along = friction.direction.dot(guess.segment((parts - 1) * n, n));
+    guess[parts * n + static_cast<Index>(i)] = std::copysign(friction.law.force / friction.law.stiffness, along);
   }
   return guess;
 }

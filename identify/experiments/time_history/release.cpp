@@ -55,7 +55,7 @@ Statics StaticsOf(const CondensedModel& model, const std::vector<Port>& ports, c
 Index Release::Unknowns(const CondensedModel& model) const {
   if (from == From::kHeld)
     return std::count_if(held.begin(), held.end(), [](const Hold& hold) { return !hold.reading_m; });
-  return from == From::kRest ? model.mass.rows() : 2 * model.mass.rows();
+  return (from == From::kRest ? 1 : 2) * model.mass.rows() + std::ssize(model.rubbings);
 }
 
 VectorXd HeldPose(const CondensedModel& model, const MatrixXd& rows, const VectorXd& readings) {
@@ -96,7 +96,10 @@ VectorXd ReleasedState(const Release& release, const CondensedModel& model, cons
   const Index n = model.mass.rows();
   VectorXd state = VectorXd::Zero(LinearVehicle(model, LinearVehicle::Rates::kCentre).size() + n);
   if (release.from != Release::From::kHeld) {
-    state.head(unknowns.size()) = unknowns;
+    const Index strokes = std::ssize(model.rubbings);
+    state.head(unknowns.size() - strokes) = unknowns.head(unknowns.size() - strokes);
+    state.conservativeResize(state.size() + strokes);
+    state.tail(strokes) = unknowns.tail(strokes);
     return state;
   }
   const auto count = static_cast<Index>(release.held.size());

@@ -37,11 +37,13 @@ struct Release {
   /// As a share of each signal's deviation, see HistoryResiduals.
   double model_error = 0.02;
 
-  /// Unknown quantities [m], and velocities of coordinates [m/s or rad/s] behind those of a pose.
+  /// Unknown quantities [m], and velocities of coordinates [m/s or rad/s] behind those of a pose; then, of a pose or a
+  /// state that is not that of a vehicle held still, the stroke [m] by which each friction that sticks came there.
   Eigen::Index Unknowns(const CondensedModel& model) const;
 };
 
-/// [s s' x] of these unknowns. Throws SimulationError where no pose is found.
+/// [s s' x] of these unknowns, with the strokes behind them as CondensedStepper::SetState takes them. Throws
+/// SimulationError where no pose is found.
 Eigen::VectorXd ReleasedState(const Release& release, const CondensedModel& model, const Eigen::VectorXd& unknowns);
 
 /// Static equilibrium with these sensors held at these readings: s with

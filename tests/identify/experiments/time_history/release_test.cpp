@@ -1,5 +1,6 @@
 #include "identify/experiments/time_history/release.h"
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "identify/experiments/time_history/history_simulation.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/description/gravity.h"
+#include "vehicles/simulation/condensed_stepper.h"
 
 namespace fourpost::release_test {
 namespace {
@@ -174,6 +176,43 @@ TEST_F(ReleaseTest, EnginesAgreeOnADropWithFrictionThatSticks) {
   const double left = heights(heights.rows() - 1, kBody) - heights(heights.rows() - 1, kWheel);
   EXPECT_GT(std::abs(left), 1e-3);
   EXPECT_LT(std::abs(left), 100 / stiffness_);
+}
+
+/// Pose, velocities and half a millimetre of a stroke in bump.
+VectorXd OnTheWay() { return (VectorXd(5) << 0.03, 0.01, -0.4, 0.2, -5e-4).finished(); }
+
+TEST_F(ReleaseTest, FrictionBeginsByTheStrokeThatIsStated) {
+  vehicle_.dampers[0].law.friction = Seal();
+  const CondensedModel model = Model();
+  const std::array<PostState, 1> posts;
+  CondensedStepper stepper(model, 1e-3);
+  const auto accelerations = [&](double stroke) {
+    VectorXd unknowns = OnTheWay();
+    unknowns[4] = stroke;
+    stepper.SetState(ReleasedState(Release(), model, unknowns), posts);
+    return VectorXd(stepper.StateRate().segment(2, 2));
+  };
+  const VectorXd by_friction = model.mass * (accelerations(-5e-4) - accelerations(0));
+  const double tension = DahlFriction{.force = 100, .stiffness = 1e5}.After(0, -5e-4).force;
+  EXPECT_NEAR((by_friction + tension * model.rubbings[0].direction).norm(), 0, 1e-6 * 100);
+}
+
+TEST_F(ReleaseTest, FindsHowFarFrictionHadSlid) {
+  vehicle_.dampers[0].law.friction = Seal();
+  Release truth;
+  truth.guess = OnTheWay();
+  MeasuredHistory history = Dropped(truth);
+  const HistorySimulation simulation(history, 5e-4);
+  const Eigen::MatrixXd run = simulation.Run(Model(), ReleasedState(truth, Model(), truth.guess), {});
+  for (std::size_t s = 0; s < 2; ++s) history.signals[s].values = run.col(static_cast<Index>(s));
+  history.release = Release();
+  const HistorySimulation::Start start = HistorySimulation(history, 5e-4).StartOf(Model());
+  EXPECT_LT((start.estimate.unknowns - truth.guess).norm(), 1e-5);
+  // Both engines go on from there alike: 1e-3 of each by integration.
+  const std::vector<double> values = vehicle_.ParameterValues();
+  const Eigen::MatrixXd reduced = SimulateBy({.engine = Engine::kReduced}, history, vehicle_, values)->modelled;
+  const Eigen::MatrixXd full = SimulateBy({.engine = Engine::kFull}, history, vehicle_, values)->modelled;
+  for (Index s = 0; s < 2; ++s) EXPECT_LT((full - reduced).col(s).norm(), 2e-3 * reduced.col(s).norm());
 }
 
 }  // namespace
