@@ -225,6 +225,8 @@ struct FitCommand : FitRequest {
   bool json = false;
   /// Add to the vehicle what lowers BIC, step by step.
   bool grow = false;
+  /// Keep a page of how it gets on.
+  bool watch = false;
 };
 
 /// `fourpost predict RUN --recording FILE`

@@ -3,14 +3,17 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/text/text_table.h"
+#include "analysis/text/utf8.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/fit_progress.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/watch_page.h"
 #include "identify/command_line/work_progress.h"
 #include "identify/run/findings.h"
 #include "identify/run/grown_fit.h"
@@ -66,18 +69,33 @@ std::string GrowthText(const GrownFit& grown) {
          (grown.is_interrupted ? "Growth was " + InterruptedText(grown) : "Growth ended: " + grown.path.end) + ".\n\n";
 }
 
+/// With a page beside the line on the terminal.
+FitHooks Watched(FitHooks hooks, std::optional<WatchPage>& page) {
+  if (!page) return hooks;
+  const auto show = std::move(hooks.progress);
+  hooks.progress = [show, &page](const FitProgress& progress) {
+    show(progress);
+    page->Show(progress);
+  };
+  return hooks;
+}
+
 }  // namespace
 
 int Run(const FitCommand& command) {
   WorkProgress progress;
+  std::optional<WatchPage> page;
+  if (command.watch) page.emplace(command.output, ValidUtf8(command.study.filename().string()));
+  if (page) std::fprintf(stderr, "open %s to follow the fit\n", page->file().c_str());
   const FitRunHooks hooks{.work = progress.Hooks(),
                           .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
                           .begin = CatchInterrupts,
-                          .fit = [](const FitOptions& options) { return ShownFit(options); }};
+                          .fit = [&page](const FitOptions& options) { return Watched(ShownFit(options), page); }};
   const GrownFit grown = command.grow ? GrowFit(command, hooks)
                                       : GrownFit{.path = {}, .fit = FitStudy(command, hooks), .folder = command.output};
   const FitRun& run = grown.fit;
   const FitResult& fit = run.fit;
+  if (page) page->End(run.is_written, std::string(FitEndName(fit.end)));
   if (!run.is_written) {
     Tell(fit.end == FitEnd::kInterrupted ? kFitInterrupted : kFitWithoutResults, {},
          {std::string(FitEndName(fit.end)), fit.message});

@@ -233,6 +233,10 @@ void Program::AddFit() {
   sub->add_flag("--grow", fit_.grow,
                 "Add to the vehicle, step by step, what `fourpost suggest` names first, while BIC falls and validation "
                 "recordings are predicted no worse; steps/growth.json holds the path");
+  sub->add_flag(
+      "--watch", fit_.watch,
+      "Keep a page, watch.html in the folder of the results, that shows how the fit gets on; it opens the report "
+      "at the end");
   sub->add_flag("!--no-suggest", fit_.name_missing, "Do not look for what the vehicle lacks where residuals are large");
   sub->add_flag("--json", fit_.json, "Print result.json instead of tables");
 }

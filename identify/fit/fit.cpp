@@ -180,6 +180,8 @@ class RunningFit {
     const std::int64_t paid = counts.paid + of_batch;
     hooks_.progress({.stage = stage_,
                      .best_cost = archive_.best_cost(),
+                     .lattice = &archive_.lattice(),
+                     .best = &archive_.best_values(),
                      .paid = paid,
                      .in_stage = paid - paid_before_,
                      .coarse = coarse_ ? coarse_->counts().paid : 0,

@@ -16,6 +16,9 @@ struct FitProgress {
   std::string_view stage;
   /// Lowest of all evaluations so far, by the refinement's loss; infinite before the first.
   double best_cost = 0;
+  /// Where that is, SI, one per axis of the lattice; both are valid during the call only, and empty before the first.
+  const Lattice* lattice = nullptr;
+  const Eigen::VectorXd* best = nullptr;
   /// New evaluations; those of a batch that runs count as new until it ends.
   std::int64_t paid = 0;
   /// New evaluations of this stage.

@@ -64,7 +64,7 @@ std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorX
   std::vector<Evaluation> evaluations;
   for (EvaluationStore::Answer& answer : AskAll(values)) {
     CheckSize(answer.evaluation);
-    Count(answer.evaluation);
+    Count(values[evaluations.size()], answer.evaluation);
     evaluations.push_back(std::move(answer.evaluation));
   }
   return evaluations;
@@ -88,7 +88,7 @@ std::vector<Evaluation> Archive::EvaluateStored(const std::vector<Eigen::VectorX
     const EvaluationStore::Answer& answer = answers[place[i]];
     const bool is_first = needed_.insert(BytesOf(batch[i])).second;
     counts_.restored += is_first && answer.was_stored;
-    if (is_first || repeats_ == Repeats::kPaid) Count(answer.evaluation);
+    if (is_first || repeats_ == Repeats::kPaid) Count(batch[i], answer.evaluation);
     else ++counts_.reused;
     evaluations.push_back(answer.evaluation);
   }
@@ -191,12 +191,16 @@ void Archive::CheckSize(Evaluation& evaluation) {
       Failed(Failure::kWrongSize, std::to_string(size) + " residuals, elsewhere " + std::to_string(residual_count_));
 }
 
-void Archive::Count(const Evaluation& evaluation) {
+void Archive::Count(const Eigen::VectorXd& values, const Evaluation& evaluation) {
   ++counts_.paid;
   if (evaluation.ok()) {
     const double cost = evaluation.cost();
     if (improvements_.empty() || cost < improvements_.back().cost) improvements_.push_back({counts_.paid, cost});
-    best_cost_ = std::min(best_cost_, watched_ ? watched_(evaluation.residuals) : cost);
+    const double watched = watched_ ? watched_(evaluation.residuals) : cost;
+    if (watched < best_cost_) {
+      best_cost_ = watched;
+      best_values_ = values;
+    }
     return;
   }
   FailureTally& tally = counts_.failures[evaluation.failure];

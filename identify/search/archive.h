@@ -102,6 +102,8 @@ class Archive {
   void StopBatches(std::function<bool()> stop) { stop_ = std::move(stop); }
   /// Lowest of all that were watched, of squares where nothing is watched; infinite before the first.
   double best_cost() const { return best_cost_; }
+  /// Where that is; empty before the first.
+  const Eigen::VectorXd& best_values() const { return best_values_; }
   /// Number of lattice points remembered.
   std::size_t size() const { return scores_.size(); }
 
@@ -135,7 +137,7 @@ class Archive {
   std::vector<Evaluation> EvaluateStored(const std::vector<Eigen::VectorXd>& batch);
   // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
   void CheckSize(Evaluation& evaluation);
-  void Count(const Evaluation& evaluation);
+  void Count(const Eigen::VectorXd& values, const Evaluation& evaluation);
 
   Problem problem_;
   int threads_;
@@ -150,6 +152,7 @@ class Archive {
   std::function<void(std::int64_t done)> tell_;
   std::function<bool()> stop_;
   double best_cost_ = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd best_values_;
   Eigen::Index residual_count_ = 0;
 };
 

@@ -8,6 +8,7 @@ import signal
 import struct
 import subprocess
 import termios
+import time
 
 import unittest
 
@@ -76,6 +77,35 @@ class Progress(ProgramTest):
         self.assertRegex(line, rb"^compare: \d+ of \d+ runs(, about \d+ (s|min) left)?, [\d.]+ runs per (second|minute)\n$")
         self.assertIsNone(re.search(rb"[\r\x1b]", line + rest))
         self.assertEqual(program.wait(), 130)
+
+    def watched(self, word):
+        """The page of a running fit, once it holds this word."""
+        page = self.folder / "run/watch.html"
+        for _ in range(600):
+            text = page.read_text() if page.exists() else ""
+            if word in text:
+                return text
+            time.sleep(0.1)
+        self.fail(f"no {word} in {text}")
+
+    def test_is_a_page_on_demand(self):
+        program = self.start([*FIT, "--watch"], subprocess.DEVNULL)
+        page = self.watched("Best values so far")
+        self.assertIn('http-equiv="refresh"', page)
+        self.assertIn("url=watch.html", page)
+        self.assertIn("<td>k_front</td>", page)
+        program.send_signal(signal.SIGINT)
+        self.assertEqual(program.wait(), 130)
+        self.assertIn("url=report.html", self.watched("The fit ended"))
+        self.assertTrue((self.folder / "run/report.html").exists())
+        self.assertFalse((self.folder / "run/watch.html.partial").exists())
+
+    def test_page_ends_with_a_fit_that_cannot_begin(self):
+        self.write("faulty.yaml", "vehicle: none.urdf\n")
+        self.run_program("fit", "faulty.yaml", "-o", "run", "--watch", code=5)
+        page = self.watched("The fit ended")
+        self.assertNotIn("refresh", page)
+        self.assertNotIn("report.html", page)
 
 
 if __name__ == "__main__":
