@@ -25,6 +25,32 @@ Eigen::VectorXd PriorDeviations(const VehicleObjective& objective, const Lattice
   return deviations;
 }
 
+/// A model's error moves a parameter no farther from another one that it is like than their ratio may be off. Both are
+/// logarithms in FitVariables.
+void LimitByRatios(const VehicleObjective& objective, const std::vector<Index>& judged, Eigen::VectorXd& model_sd) {
+  // Nothing is known of those that are not judged.
+  Eigen::VectorXd moved = Eigen::VectorXd::Constant(model_sd.size(), std::numeric_limits<double>::infinity());
+  moved(judged) = model_sd(judged);
+  const std::vector<std::size_t>& free = objective.free();
+  const Vehicle& vehicle = objective.vehicle();
+  const auto limit = [&](std::size_t one, std::size_t other, double sd) {
+    const auto at = std::find(free.begin(), free.end(), one);
+    if (at == free.end()) return;
+    const auto beside = std::find(free.begin(), free.end(), other);
+    const double of_other = beside == free.end() ? 0 : moved[beside - free.begin()];
+    moved[at - free.begin()] = std::min(moved[at - free.begin()], std::hypot(of_other, sd));
+  };
+  // Along chains of any length.
+  for (std::size_t pass = 0; pass < free.size(); ++pass)
+    for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
+      if (const auto& like = vehicle.parameters[i].like)
+        if (const auto other = vehicle.IndexOf(like->parameter)) {
+          limit(i, *other, like->sd);
+          limit(*other, i, like->sd);
+        }
+  model_sd(judged) = moved(judged);
+}
+
 /// The covariance with other deviations, its correlations as they are.
 Eigen::MatrixXd WithDeviations(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& sd) {
   Eigen::VectorXd factors = sd;
@@ -229,14 +255,15 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
     const Index j = certainty.judged[i];
     certainty.by_held.col(j) = by_held.row(row).transpose().cwiseAbs();
     certainty.held_sd[j] = std::sqrt(of_held(row, row));
-    const double noise = certainty.noise_sd[j];
     const double disagreement =
         certainty.model_error.is_significant ? certainty.model_error.reach[row] / certainty.covariance.reach_95 : 0;
     certainty.model_sd[j] = disagreement;
     certainty.held_sd[j] = std::min(certainty.held_sd[j], known[j]);
     certainty.model_sd[j] = std::min(certainty.model_sd[j], known[j]);
-    certainty.total_sd[j] = std::hypot(noise, certainty.held_sd[j], certainty.model_sd[j]);
   }
+  LimitByRatios(objective, certainty.judged, certainty.model_sd);
+  for (const Index j : certainty.judged)
+    certainty.total_sd[j] = std::hypot(certainty.noise_sd[j], certainty.held_sd[j], certainty.model_sd[j]);
   AddCovariances(of_held, certainty);
   return certainty;
 }

@@ -35,6 +35,9 @@ struct FittedParameter {
   double value = 0;
   /// What was known of it before the fit: normal about `start`, with this deviation.
   std::optional<double> prior_sd;
+  /// As in Parameter, and how far the fit took the ratio, in its deviations.
+  std::optional<Parameter::Likeness> like = {};
+  double from_like = 0;
   double lower = 0;
   double upper = 0;
   ParameterState state = ParameterState::kNotComputed;

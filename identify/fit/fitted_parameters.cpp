@@ -49,6 +49,7 @@ std::vector<FittedParameter> DescribeParameters(const VehicleObjective& objectiv
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const FitVariables variables(lattice);
   const Eigen::VectorXd slopes = variables.Slopes(values);
+  const std::vector<double> all = objective.AllParameters(values);
   const std::vector<PhysicalRange> physical = PhysicalRanges(objective.vehicle());
   std::vector<FittedParameter> out;
   for (std::size_t i = 0; i < objective.free().size(); ++i) {
@@ -59,6 +60,12 @@ std::vector<FittedParameter> DescribeParameters(const VehicleObjective& objectiv
     fitted.start = parameter.value;
     fitted.value = values[k];
     fitted.prior_sd = parameter.prior_sd;
+    if (const auto other = parameter.like ? objective.vehicle().IndexOf(parameter.like->parameter) : std::nullopt) {
+      fitted.like = parameter.like;
+      fitted.from_like =
+          std::log(values[k] / all[*other] * objective.vehicle().parameters[*other].value / parameter.value) /
+          parameter.like->sd;
+    }
     fitted.lower = parameter.lower;
     fitted.upper = parameter.upper;
     fitted.sd = fitted.noise_sd = fitted.held_sd = fitted.model_sd = fitted.lower_95 = fitted.upper_95 = kUnknown;

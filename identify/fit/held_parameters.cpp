@@ -63,7 +63,10 @@ HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& 
   Vehicle fitted = objective.vehicle();
   const std::vector<double> all = objective.AllParameters(values);
   for (std::size_t i = 0; i < all.size(); ++i) fitted.parameters[i].value = all[i];
-  for (Parameter& parameter : fitted.parameters) parameter.prior_sd.reset();
+  for (Parameter& parameter : fitted.parameters) {
+    parameter.prior_sd.reset();
+    parameter.like.reset();
+  }
   const auto of = [&](const std::vector<std::size_t>& some) {
     return JacobianOf(VehicleObjective(fitted, some, objective.blocks()), refine, threads, stop, evaluated);
   };

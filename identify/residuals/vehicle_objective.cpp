@@ -23,13 +23,31 @@ VehicleObjective::VehicleObjective(Vehicle vehicle, std::vector<std::size_t> fre
   }
 }
 
+double VehicleObjective::Prior::At(const std::vector<double>& all) const {
+  return other ? std::log(all[parameter] / all[*other]) : all[parameter];
+}
+
+double VehicleObjective::Prior::SlopeBy(std::size_t index, const std::vector<double>& all) const {
+  if (index == parameter) return other ? 1 / all[parameter] : 1;
+  return other == index ? -1 / all[index] : 0;
+}
+
 void VehicleObjective::CollectPriors() {
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    const Parameter& parameter = vehicle_.parameters[free_[i]];
-    if (!parameter.prior_sd) continue;
-    const double sd = *parameter.prior_sd;
-    RequireOption(sd > 0 && std::isfinite(sd), "prior_sd of " + parameter.name, sd, "positive and finite");
-    priors_.push_back({static_cast<Eigen::Index>(i), parameter.value, sd});
+  const auto is_free = [&](std::size_t i) { return std::find(free_.begin(), free_.end(), i) != free_.end(); };
+  const auto add = [&](Prior prior, const std::string& name) {
+    RequireOption(prior.sd > 0 && std::isfinite(prior.sd), name, prior.sd, "positive and finite");
+    prior.value = prior.At(vehicle_.ParameterValues());
+    priors_.push_back(prior);
+  };
+  for (const std::size_t i : free_)
+    if (const Parameter& parameter = vehicle_.parameters[i]; parameter.prior_sd)
+      add({.parameter = i, .sd = *parameter.prior_sd}, "prior_sd of " + parameter.name);
+  for (std::size_t i = 0; i < vehicle_.parameters.size(); ++i) {
+    const Parameter& parameter = vehicle_.parameters[i];
+    if (!parameter.like) continue;
+    const std::optional<std::size_t> other = vehicle_.IndexOf(parameter.like->parameter);
+    if (other && (is_free(i) || is_free(*other)))
+      add({.parameter = i, .other = other, .sd = parameter.like->sd}, "like_sd of " + parameter.name);
   }
 }
 
@@ -70,7 +88,11 @@ Eigen::MatrixXd VehicleObjective::Jacobian(const Eigen::VectorXd& values) const 
     jacobian.middleRows(first, block.count) = block.differentiate(all, free_);
     first += block.count;
   }
-  for (const Prior& prior : priors_) jacobian(first++, prior.index) = 1 / prior.sd;
+  for (const Prior& prior : priors_) {
+    for (std::size_t j = 0; j < free_.size(); ++j)
+      jacobian(first, static_cast<Eigen::Index>(j)) = prior.SlopeBy(free_[j], all) / prior.sd;
+    ++first;
+  }
   return jacobian;
 }
 
@@ -106,9 +128,10 @@ Evaluation VehicleObjective::Evaluate(const Eigen::VectorXd& values, const Deadl
 }
 
 Eigen::VectorXd VehicleObjective::PriorResiduals(const Eigen::VectorXd& values) const {
+  const std::vector<double> all = AllParameters(values);
   Eigen::VectorXd residuals(prior_count());
   double* out = residuals.data();
-  for (const Prior& prior : priors_) *out++ = (values[prior.index] - prior.value) / prior.sd;
+  for (const Prior& prior : priors_) *out++ = (prior.At(all) - prior.value) / prior.sd;
   return residuals;
 }
 

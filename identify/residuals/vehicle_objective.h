@@ -12,8 +12,10 @@
 
 namespace fourpost {
 
-/// How far a vehicle is from the data of a study: the residuals of its blocks one after the other, then one for each
-/// free parameter with a prior, (p - value) / prior_sd. Immutable; may be evaluated from several threads at once.
+/// How far a vehicle is from the data of a study: the residuals of its blocks one after the other, then those of
+/// priors: of each free parameter with a prior_sd (p - value) / prior_sd, and of each two parameters p and q that are
+/// `like` each other, one of them free, (ln(p / q) - that of their values) / like_sd. Immutable; may be evaluated from
+/// several threads at once.
 class VehicleObjective {
  public:
   /// `free`: indices of the parameters that vary. Throws std::invalid_argument for a prior_sd that is not above zero.
@@ -54,11 +56,17 @@ class VehicleObjective {
   Eigen::Index prior_count() const { return static_cast<Eigen::Index>(priors_.size()); }
 
  private:
-  /// What is known of the value that stands at `index` of the free ones.
+  /// What is known of one parameter, or of the ratio of one to `other`, places among all.
   struct Prior {
-    Eigen::Index index = 0;
+    std::size_t parameter = 0;
+    std::optional<std::size_t> other = {};
+    /// Of the parameter, or of the logarithm of the ratio.
     double value = 0;
     double sd = 0;
+
+    double At(const std::vector<double>& all) const;
+    /// Derivative of that by the parameter `index`.
+    double SlopeBy(std::size_t index, const std::vector<double>& all) const;
   };
 
   void CollectPriors();

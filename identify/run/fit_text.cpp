@@ -37,6 +37,8 @@ std::string Remark(const FittedParameter& parameter) {
   if (parameter.state == ParameterState::kNoise) add("derivative is noise");
   if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
     add(Rounded(distance, 2) + " sd from prior");
+  if (const double distance = std::abs(parameter.from_like); distance > kFar)
+    add(Rounded(distance, 2) + " sd from its ratio to " + parameter.like->parameter);
   // Above it most of the doubt is that of held parameters and calibrations.
   constexpr double kHeldCounts = 1.5;
   const double factor = parameter.sd / std::hypot(parameter.noise_sd, parameter.model_sd);

@@ -43,6 +43,7 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
     parameter.source = source;
     // The data are in the value now: known before them, they would count twice.
     parameter.prior_sd.reset();
+    parameter.like.reset();
   }
   return vehicle;
 }

@@ -52,6 +52,10 @@ Json Parameters(const FitResult& fit) {
                     {"state", kParameterStateNames[static_cast<std::size_t>(parameter.state)]},
                     {"at_bound", parameter.at_bound}});
     if (parameter.prior_sd) list.back()["prior"] = Prior(parameter);
+    if (parameter.like)
+      list.back()["like"] = {{"parameter", parameter.like->parameter},
+                             {"sd", parameter.like->sd},
+                             {"deviation_in_sd", parameter.from_like}};
   }
   return list;
 }

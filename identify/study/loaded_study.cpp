@@ -37,8 +37,8 @@ std::vector<std::string> NamesOf(const Vehicle& vehicle) {
   return names;
 }
 
-/// As a tag, of another name.
-std::string TagText(const Parameter& parameter, const std::string& name) {
+/// As a tag, at a setting; `like` what the other parameter is there.
+std::string TagText(const Parameter& parameter, const std::string& name, const std::string& like) {
   const auto shown = [&](double value) {
     const double unit = parameter.unit.empty() ? 1 : ParseUnit(parameter.unit)->si;
     return FormatNumber(value / unit) + (parameter.unit.empty() ? "" : " " + parameter.unit);
@@ -47,7 +47,21 @@ std::string TagText(const Parameter& parameter, const std::string& name) {
   if (HasRange(parameter))
     text += " lower=\"" + shown(parameter.lower) + "\" upper=\"" + shown(parameter.upper) + "\" precision=\"" +
             shown(parameter.precision) + '"';
+  if (!like.empty()) text += " like=\"" + like + "\" like_sd=\"" + FormatNumber(parameter.like->sd) + '"';
   return text + " source=\"'" + parameter.name + "' at another setting\"/>\n";
+}
+
+/// What a parameter is like at a setting: the other one there, where that follows the control as well; empty without.
+std::string LikeAt(const Study& study, const Parameter& parameter, double setting,
+                   const std::vector<double>& settings) {
+  if (!parameter.like) return "";
+  const std::string& other = parameter.like->parameter;
+  for (const StudyControl::Follower& follower : study.control.followers) {
+    const std::vector<double> knots = KnotsOf(follower, settings);
+    if (follower.parameter == other && std::find(knots.begin() + 1, knots.end(), setting) != knots.end())
+      return NameAtSetting(other, setting);
+  }
+  return other;
 }
 
 /// Text of the vehicle with the parameters of followers at settings for which it has none.
@@ -64,11 +78,12 @@ std::string WithSettings(const Study& study, const Vehicle& vehicle, Diagnostics
                          {follower.parameter, DidYouMeanOrAll(follower.parameter, names)});
       continue;
     }
+    const Parameter& followed = vehicle.parameters[static_cast<std::size_t>(found - names.begin())];
     const std::vector<double> knots = KnotsOf(follower, settings);
     for (std::size_t k = 1; k < knots.size(); ++k)
       if (const std::string name = NameAtSetting(follower.parameter, knots[k]);
           std::find(names.begin(), names.end(), name) == names.end())
-        tags += TagText(vehicle.parameters[static_cast<std::size_t>(found - names.begin())], name);
+        tags += TagText(followed, name, LikeAt(study, followed, knots[k], settings));
   }
   std::string text = vehicle.text;
   text.insert(text.rfind("</robot>"), tags);

@@ -40,6 +40,7 @@ AugmentedStudy::AugmentedStudy(const LoadedStudy& study, const Addition& additio
     free_.push_back(PlaceOf(name));
     // A prior would add a residual; what the data say alone is the question.
     vehicle_.parameters[free_.back()].prior_sd.reset();
+    vehicle_.parameters[free_.back()].like.reset();
   }
   Subject subject(vehicle_, free_, study.study.file, study.study.search.deadline_s);
   if (!integrates) subject.LeaveOutIntegration();

@@ -54,12 +54,18 @@ inline DashpotDescription TableLaw() {
           .table = {{{-0.5}, {-500}}, {{-0.1}, {-200}}, {{0.1}, {300}}, {{0.5}, {900}}}};
 }
 
+inline DashpotDescription CurveLaw() {
+  return {.kind = DashpotDescription::Kind::kCurve,
+          .segments = {{{-0.5}, {600}}, {{-0.1}, {2000}}, {{0.08}, {4000}}, {{0.5}, {1200}}}};
+}
+
 /// All kinds, alone and on a mount.
 inline std::vector<DamperLaw> DamperLaws() {
   return {{"Bilinear", Rates(800, 2600)},  {"BilinearInSeries", Rates(800, 2600), true},
           {"Smooth", SmoothLaw()},         {"SmoothInSeries", SmoothLaw(), true},
           {"Digressive", DigressiveLaw()}, {"DigressiveInSeries", DigressiveLaw(), true},
           {"Saturating", SaturatingLaw()}, {"Table", TableLaw()},
+          {"Curve", CurveLaw()},           {"CurveInSeries", CurveLaw(), true},
           {"Friction", WithFriction(50)},  {"FrictionInSeries", WithFriction(50), true}};
 }
 

@@ -44,6 +44,11 @@ void EachField(MaybeConst<DashpotDescription::TablePoint> auto& point, auto&& fi
   field("force", point.force);
 }
 
+void EachField(MaybeConst<DashpotDescription::Segment> auto& segment, auto&& field) {
+  field("to", segment.to);
+  field("rate", segment.rate);
+}
+
 void EachField(MaybeConst<DashpotDescription::Friction> auto& friction, auto&& field) {
   field("force", friction.force);
   field("speed", friction.speed);
@@ -52,7 +57,8 @@ void EachField(MaybeConst<DashpotDescription::Friction> auto& friction, auto&& f
 
 void EachField(MaybeConst<DashpotDescription> auto& law, auto&& field) {
   // As DashpotDescription::Kind.
-  static constexpr std::array<const char*, 5> kKinds = {"bilinear", "smooth", "digressive", "saturating", "table"};
+  static constexpr std::array<const char*, 6> kKinds = {"bilinear",   "smooth", "digressive",
+                                                        "saturating", "table",  "curve"};
   field.Choice("kind", law.kind, kKinds);
   field("compression", law.compression);
   field("rebound", law.rebound);
@@ -60,6 +66,7 @@ void EachField(MaybeConst<DashpotDescription> auto& law, auto&& field) {
   field("compression_knee", law.compression_knee);
   field("rebound_knee", law.rebound_knee);
   field("table", law.table);
+  field("segments", law.segments);
   field("friction", law.friction);
 }
 

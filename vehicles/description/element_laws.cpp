@@ -1,5 +1,6 @@
 #include "vehicles/description/element_laws.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -35,6 +36,27 @@ double SpringDescription::RateAt(std::span<const double> parameters) const {
   return table.empty() ? stiffness.At(parameters) : At(parameters).Slope(0);
 }
 
+namespace {
+
+DashpotLaw Curve(const std::vector<DashpotDescription::Segment>& segments, std::span<const double> parameters) {
+  const auto count = segments.size();
+  std::vector<double> speeds(count);
+  std::vector<double> forces(count);
+  for (std::size_t i = 0; i < count; ++i) speeds[i] = segments[i].to.At(parameters);
+  // Outward from rest.
+  const auto end = [&](std::size_t i, bool is_first, std::size_t inner) {
+    const double from = is_first ? 0 : speeds[inner];
+    forces[i] = (is_first ? 0 : forces[inner]) + segments[i].rate.At(parameters) * (speeds[i] - from);
+  };
+  const auto bumps =
+      static_cast<std::size_t>(std::count_if(speeds.begin(), speeds.end(), [](double speed) { return speed < 0; }));
+  for (std::size_t i = bumps; i-- > 0;) end(i, i + 1 == bumps, i + 1);
+  for (std::size_t i = bumps; i < count; ++i) end(i, i == bumps, i - 1);
+  return DashpotLaw::Table(std::move(speeds), std::move(forces));
+}
+
+}  // namespace
+
 DashpotLaw DashpotDescription::At(std::span<const double> parameters) const {
   const auto bare = [&]() -> DashpotLaw {
     const double bump = compression.At(parameters);
@@ -57,6 +79,7 @@ DashpotLaw DashpotDescription::At(std::span<const double> parameters) const {
         }
         return DashpotLaw::Table(std::move(speeds), std::move(forces));
       }
+      case Kind::kCurve: return Curve(segments, parameters);
     }
     return {bump, pull};
   };

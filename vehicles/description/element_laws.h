@@ -49,7 +49,7 @@ struct SpringDescription {
 
 /// Law of a damper, hydraulic ones excepted, with the friction of its seals.
 struct DashpotDescription {
-  enum class Kind { kBilinear, kSmooth, kDigressive, kSaturating, kTable };
+  enum class Kind { kBilinear, kSmooth, kDigressive, kSaturating, kTable, kCurve };
   struct Knee {
     Scalar speed;
     Scalar rate;
@@ -57,6 +57,11 @@ struct DashpotDescription {
   struct TablePoint {
     Scalar speed;
     Scalar force;
+  };
+  /// Mean slope of a curve from the segment before it, or from rest, to this speed.
+  struct Segment {
+    Scalar to;
+    Scalar rate;
   };
   /// Of DashpotLaw::WithFriction(), or with `stiffness` DahlFriction, which then acts beside the damper and its mount.
   struct Friction {
@@ -74,6 +79,8 @@ struct DashpotDescription {
   Knee rebound_knee;
   /// Table: by rising velocity.
   std::vector<TablePoint> table;
+  /// Curve: by rising velocity.
+  std::vector<Segment> segments = {};
   std::optional<Friction> friction;
 
   /// With its friction, unless that sticks.

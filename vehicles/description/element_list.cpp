@@ -101,7 +101,12 @@ void AddHydraulic(const HydraulicDescription& oil, NumberList& list) {
 
 void AddDashpot(const DashpotDescription& law, NumberList& list) {
   using Kind = DashpotDescription::Kind;
-  if (law.kind == Kind::kTable)
+  if (law.kind == Kind::kCurve)
+    for (const DashpotDescription::Segment& segment : law.segments) {
+      list.AddBend("speed of a segment", "fp:damper/curve/segment", "to", segment.to);
+      list.AddBend("rate of a segment", "fp:damper/curve/segment", "rate", segment.rate);
+    }
+  else if (law.kind == Kind::kTable)
     for (const DashpotDescription::TablePoint& point : law.table) {
       list.AddBend("speed in the table", "fp:damper/table/point", "speed", point.speed);
       list.AddBend("force in the table", "fp:damper/table/point", "force", point.force);

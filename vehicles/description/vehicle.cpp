@@ -32,6 +32,12 @@ double Bushing::DampingAt(std::size_t component, std::span<const double> paramet
   return damping[component].At(parameters) + loss * stiffness[component].At(parameters);
 }
 
+std::optional<std::size_t> Vehicle::IndexOf(std::string_view parameter) const {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].name == parameter) return i;
+  return std::nullopt;
+}
+
 std::vector<double> Vehicle::ParameterValues() const {
   std::vector<double> values;
   values.reserve(parameters.size());

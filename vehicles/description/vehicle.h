@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,6 +32,13 @@ struct Parameter {
   std::string source;
   /// Prior knowledge: a normal distribution about `value`, with this standard deviation.
   std::optional<double> prior_sd;
+  /// Prior knowledge: the logarithm of its ratio to another parameter is normal about that of the values, with this
+  /// standard deviation. Both are positive within their bounds.
+  struct Likeness {
+    std::string parameter;
+    double sd = 0;
+  };
+  std::optional<Likeness> like = {};
   int line = 0;
 };
 
@@ -292,6 +300,8 @@ struct Vehicle {
   /// Of tags that name a file.
   std::vector<FileContent> contents;
 
+  /// Index of the parameter of this name.
+  std::optional<std::size_t> IndexOf(std::string_view parameter) const;
   /// Parameter values of the file.
   std::vector<double> ParameterValues() const;
 

@@ -117,7 +117,7 @@ class ElementReader {
     damper.source_line = tag.Line();
     const std::optional<Tag> series = ChildOf(tag, "series");
     if (series) damper.series = laws_.ReadSeries(*series);
-    for (const char* name : {"linear", "bilinear", "smooth", "digressive", "saturating", "table"})
+    for (const char* name : {"linear", "bilinear", "smooth", "digressive", "saturating", "table", "curve"})
       if (const std::optional<Tag> law = ChildOf(tag, name)) damper.law = laws_.ReadDashpot(tag, *law, series);
     if (const std::optional<Tag> law = ChildOf(tag, "hydraulic")) {
       damper.hydraulic = laws_.ReadHydraulic(*law);

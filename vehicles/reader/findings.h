@@ -93,6 +93,14 @@ inline const Finding kValueAboveUpper{"value-above-upper", Severity::kError, "{}
 inline const Finding kBoundsIncomplete{"bounds-incomplete", Severity::kError,
                                        "{} has some, but not all of lower, upper and precision",
                                        "give all three, or none for a fixed parameter"};
+inline const Finding kLikeIncomplete{"like-incomplete", Severity::kError, "{} has one of like and like_sd",
+                                     "give both: the name of another parameter, and how far their ratio may be off"};
+inline const Finding kLikeUnknown{"like-unknown", Severity::kError, "{} is no other parameter{}", ""};
+inline const Finding kLikeOfOtherDimension{"like-of-other-dimension", Severity::kError, "{} is {}, not {}",
+                                           "name a parameter of the same kind"};
+inline const Finding kLikeNotPositive{"like-not-positive", Severity::kError,
+                                      "{} compares by a ratio, but '{}' may be zero or below",
+                                      "give it a lower bound above zero, or remove like"};
 inline const Finding kBoundsSwapped{"bounds-swapped", Severity::kError, "{} is above {}", "swap them"};
 inline const Finding kPrecisionTooCoarse{"precision-too-coarse", Severity::kError, "{} exceeds upper - lower",
                                          "choose a smaller one; to fix the parameter, leave out all three"};
@@ -249,6 +257,15 @@ inline const Finding kPointSign{"point-sign", Severity::kError, "the point at \"
 inline const Finding kPointOrder{"point-order", Severity::kError,
                                  "the point at \"{}\" of {} does not rise above the point before it",
                                  "give it more speed and more force, over the whole range of parameters"};
+inline const Finding kCurveOneSided{"curve-one-sided", Severity::kError,
+                                    "{} needs a <segment> in bump and one in rebound",
+                                    "add them as <segment to=\"...\" rate=\"...\"/>, speeds in bump below zero"};
+inline const Finding kSegmentOrder{"segment-order", Severity::kError,
+                                   "the segment to \"{}\" of {} does not end above the one before it",
+                                   "list segments by rising speed, bump first, over the whole range of parameters"};
+inline const Finding kSegmentAtRest{"segment-at-rest", Severity::kError,
+                                    "the segment of {} ends at rest, where both sides begin",
+                                    "give it a speed below zero in bump, above zero in rebound"};
 inline const Finding kSpringTablePoints{"spring-table-points", Severity::kError, "{} needs at least two <point>s",
                                         "add them as <point extension=\"...\" force=\"...\"/>"};
 inline const Finding kSpringPointOrder{

@@ -116,6 +116,7 @@ DashpotDescription LawReader::ReadDashpot(const Tag& damper, const Tag& law, con
   DashpotDescription dashpot;
   const int errors = faults_.errors();
   if (law.rule->Name() == "table") ReadTable(law, dashpot);
+  else if (law.rule->Name() == "curve") ReadCurve(law, dashpot);
   else ReadRates(law, dashpot);
   dashpot.friction = ReadFriction(damper, series);
   if (series && faults_.errors() == errors) CheckInvertible(damper, *series, dashpot);
@@ -184,6 +185,26 @@ void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
   for (std::size_t i = 0; i < tags.size(); ++i) CheckPoint(table, tags[i], i, dashpot.table);
 }
 
+void LawReader::ReadCurve(const Tag& curve, DashpotDescription& dashpot) {
+  dashpot.kind = DashpotDescription::Kind::kCurve;
+  bool has_bump = false;
+  bool has_rebound = false;
+  for (const Tag& tag : TagsOf(*curve.element, "fp:damper/curve/segment")) {
+    const int errors = faults_.errors();
+    const DashpotDescription::Segment segment{parameters_.ReadScalar(tag, "to"), parameters_.ReadScalar(tag, "rate")};
+    if (faults_.errors() > errors) return;
+    const bool is_bump = parameters_.Greatest(segment.to) < 0;
+    const bool is_rebound = parameters_.Least(segment.to) > 0;
+    has_bump = has_bump || is_bump;
+    has_rebound = has_rebound || is_rebound;
+    if (!is_bump && !is_rebound) faults_.Report(kSegmentAtRest, tag.Line("to"), {Describe(*curve.element)});
+    else if (!dashpot.segments.empty() && !parameters_.IsBelow(dashpot.segments.back().to, segment.to))
+      faults_.Report(kSegmentOrder, tag.Line("to"), {tag.Text("to"), Describe(*curve.element)});
+    dashpot.segments.push_back(segment);
+  }
+  if (!has_bump || !has_rebound) faults_.Report(kCurveOneSided, curve.Line(), {Describe(*curve.element)});
+}
+
 void LawReader::CheckPoint(const Tag& table, const Tag& tag, std::size_t i,
                            const std::vector<DashpotDescription::TablePoint>& points) {
   const auto fault = [&](const Finding& kind) {
@@ -211,6 +232,9 @@ bool LawReader::CanStick(const DashpotDescription& dashpot) const {
   using Kind = DashpotDescription::Kind;
   const auto is_zero = [&](const Scalar& rate) { return parameters_.Least(rate) <= 0; };
   if (dashpot.kind == Kind::kTable) return false;
+  if (dashpot.kind == Kind::kCurve)
+    return std::any_of(dashpot.segments.begin(), dashpot.segments.end(),
+                       [&](const DashpotDescription::Segment& segment) { return is_zero(segment.rate); });
   if (is_zero(dashpot.compression) || is_zero(dashpot.rebound)) return true;
   return dashpot.kind == Kind::kDigressive &&
          (is_zero(dashpot.compression_knee.rate) || is_zero(dashpot.rebound_knee.rate));
@@ -243,6 +267,8 @@ void LawReader::CheckInvertible(const Tag& damper, const Tag& series, const Dash
     faults_.Report(kSeriesWithoutRate, series.Line(), {Describe(*damper.element)});
     return;
   }
+  // Through points that rise the curve rises everywhere.
+  if (dashpot.kind == DashpotDescription::Kind::kCurve) return;
   try {
     if (LeastRate(dashpot) > 0) return;
   } catch (const std::invalid_argument&) {

@@ -32,6 +32,7 @@ class LawReader {
   void CheckPlace(const Tag& table, const SpringDescription& law);
   void ReadRates(const Tag& law, DashpotDescription& dashpot);
   void ReadTable(const Tag& table, DashpotDescription& dashpot);
+  void ReadCurve(const Tag& curve, DashpotDescription& dashpot);
   void CheckPoint(const Tag& table, const Tag& tag, std::size_t i,
                   const std::vector<DashpotDescription::TablePoint>& points);
   void CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot);

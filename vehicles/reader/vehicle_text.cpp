@@ -98,6 +98,8 @@ void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::spa
       if (AttributeText(*element, "source") != vehicle.parameters[i].source)
         edits.Replace(*element, "source", vehicle.parameters[i].source);
       if (!vehicle.parameters[i].prior_sd) edits.Remove(*element, "prior_sd");
+      if (!vehicle.parameters[i].like)
+        for (const char* attribute : {"like", "like_sd"}) edits.Remove(*element, attribute);
     }
   }
 }

@@ -114,6 +114,15 @@ std::vector<TagRule> MakeParameterTags() {
                        .kind = Kind::kQuantity,
                        .required = false,
                        .doc = "standard deviation, above zero, of what is known of `value` before any fit"},
+                      {.name = "like",
+                       .kind = Kind::kName,
+                       .required = false,
+                       .doc = "another parameter of the same kind, whose ratio to this one is known before any fit: "
+                              "that of their values, to `like_sd`; both are positive"},
+                      {.name = "like_sd",
+                       .kind = Kind::kNumber,
+                       .required = false,
+                       .doc = "standard deviation of the logarithm of that ratio, above zero: 0.1 is about 10 %"},
                       {.name = "source", .doc = "where the value comes from"}}},
       {.path = "fp:parameter/fp:bind",
        .doc = "Ties a number of the tree to the parameter. The tree's number must equal factor times value.",
@@ -291,6 +300,18 @@ std::vector<TagRule> MakeDamperTags() {
        .doc = "A point of the curve, in the order of rising speed and force.",
        .attributes = {Usual("", "10 m/s", Measure("speed", kVelocity, Sign::kAny, "extension rate, rebound positive")),
                       Usual("", "100 kN", Measure("force", kForce, Sign::kAny, "tension"))}},
+      {.path = "fp:damper/curve",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "A smooth curve whose slopes a fit may find: each `<segment>` has the mean slope from the one before it, "
+              "seen from rest, to its speed. A monotone cubic (Fritsch and Carlson) through (0, 0) and the ends of "
+              "the segments, straight on beyond the last ones. Parameters that follow each other by `like` keep it "
+              "smooth where the data are silent."},
+      {.path = "fp:damper/curve/segment",
+       .doc = "A part of the curve, by rising speed: bump, from its fast end, then rebound.",
+       .attributes = {Usual("1 mm/s", "10 m/s",
+                            Measure("to", kVelocity, Sign::kAny,
+                                    "its end away from rest: extension rate, bump below zero")),
+                      Rate("rate", "mean slope of the force from the segment before it, or from rest", "1 N*s/m")}},
       {.path = "fp:damper/hydraulic",
        .occurs = Occurs::kOneOfAll,
        .doc = "An adjustable monotube damper with gas behind a floating piston: a bleed in both directions, a rebound "

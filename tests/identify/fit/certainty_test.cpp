@@ -1,6 +1,10 @@
 #include "identify/fit/certainty.h"
 
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +64,47 @@ TEST(Certainty, CountsWhatHasNoRangeAsExact) {
   ASSERT_TRUE(fit.certainty);
   EXPECT_EQ(fit.certainty->held_sd[0], 0);
   EXPECT_EQ(fit.certainty->LimitedBy(0), "noise");
+}
+
+Vehicle WithRatio(Vehicle vehicle, double sd) {
+  vehicle.parameters[1].like = Parameter::Likeness{"p0", sd};
+  return vehicle;
+}
+
+// The data know the sum of both logarithms to 0.01 / 40^1/2, the ratio is known to 0.3, and each is half of both.
+TEST(Certainty, CountsWhatIsKnownOfARatio) {
+  const VehicleObjective both = Sum();
+  const FitResult fit = FitOf(VehicleObjective(WithRatio(both.vehicle(), 0.3), both.free(), both.blocks()));
+  ASSERT_TRUE(fit.certainty);
+  const double sd = 0.5 * std::hypot(0.3, 0.01 / std::sqrt(double{kCount}));
+  EXPECT_NEAR(fit.certainty->noise_sd[0], sd, 1e-3);
+  EXPECT_NEAR(fit.certainty->noise_sd[1], sd, 1e-3);
+}
+
+/// p0 = 1 in one part of the data, and p1 = 0.6, 0.8, 1.2 and 1.4 in four others.
+VehicleObjective Contradicting(std::optional<double> like_sd) {
+  constexpr std::array<double, 5> kSays = {1, 0.6, 0.8, 1.2, 1.4};
+  const VehicleObjective toy = ToyObjective(2, 5 * kCount, 1e-15, [=](const std::vector<double>& p) {
+    Eigen::VectorXd residuals(5 * kCount);
+    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+      const auto part = static_cast<std::size_t>(i / kCount);
+      residuals[i] = (p[part == 0 ? 0 : 1] - kSays[part]) / 0.01 + (i % 2 == 0 ? 1 : -1);
+    }
+    return residuals;
+  });
+  std::vector<ResidualBlock> blocks = toy.blocks();
+  blocks[0].structure.partitions = {{"parts", {}, {}}};
+  for (int part = 0; part < 5; ++part) blocks[0].structure.partitions[0].Add(std::to_string(part), kCount);
+  return {like_sd ? WithRatio(toy.vehicle(), *like_sd) : toy.vehicle(), toy.free(), blocks};
+}
+
+TEST(Certainty, AModelMovesAParameterNoFartherThanItsRatioMayBeOff) {
+  const FitResult alone = FitOf(Contradicting(std::nullopt));
+  ASSERT_TRUE(alone.certainty);
+  EXPECT_GT(alone.certainty->model_sd[1], 0.2);
+  const FitResult alike = FitOf(Contradicting(0.05));
+  ASSERT_TRUE(alike.certainty);
+  EXPECT_NEAR(alike.certainty->model_sd[1], std::hypot(alike.certainty->model_sd[0], 0.05), 1e-9);
 }
 
 TEST(Certainty, NamesWhatIsHeldOutsideItsRange) {

@@ -1,6 +1,7 @@
 #include "vehicles/laws/spring_law.h"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,31 @@ TEST(SpringLaw, CurveOnALineIsTheLinearSpring) {
     // Rounding of some kN.
     EXPECT_NEAR(law.Force(x), 30e3 * x, 1e4 * 16 * kUlp) << x;
     EXPECT_NEAR(law.Energy(x), 15e3 * x * x, 1e4 * 16 * kUlp) << x;
+  }
+}
+
+// Free play of half a millimetre either way, as urdf/README.md writes it. Its describing function, force in phase over
+// amplitude (A. Gelb and W. Vander Velde, Multiple-Input Describing Functions, 1968, table of appendix B):
+//   k (1 - 2 / pi (asin(g / A) + g / A sqrt(1 - (g / A)^2)))
+TEST(SpringLaw, FreePlayHasItsDescribingFunction) {
+  constexpr double kPlay = 0.5e-3;
+  constexpr double kRate = 5e6;
+  const SpringLaw law{
+      .stiffness = 0,
+      .knees = {{.at = -kPlay, .side = -1, .stiffness = kRate}, {.at = kPlay, .side = 1, .stiffness = kRate}}};
+  EXPECT_EQ(law.Force(0.9 * kPlay), 0);
+  // The trapezoidal rule errs by the square of the step at its corners.
+  constexpr int kCount = 20000;
+  for (const double amplitude : {0.6e-3, 1e-3, 5e-3}) {
+    double in_phase = 0;
+    for (int i = 0; i < kCount; ++i) {
+      const double sine = std::sin(2 * std::numbers::pi * i / kCount);
+      in_phase += 2 * law.Force(amplitude * sine) * sine / kCount;
+    }
+    const double share = kPlay / amplitude;
+    const double expected =
+        kRate * (1 - 2 / std::numbers::pi * (std::asin(share) + share * std::sqrt(1 - share * share)));
+    EXPECT_NEAR(in_phase / amplitude, expected, 1e-6 * kRate) << amplitude;
   }
 }
 
