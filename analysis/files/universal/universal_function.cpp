@@ -38,7 +38,8 @@ std::vector<double> TextNumbers(const FileBytes& bytes, const UniversalFunction&
 std::uint64_t BytesOfTime(const UniversalFunction& function) {
   if (function.is_even) return 0;
   const std::uint64_t values = (function.is_complex ? 2 : 1) * (function.is_double ? 8 : 4);
-  const bool is_single = !function.is_double || function.data_bytes / function.samples < values + 8;
+  const bool is_single =
+      !function.is_double || function.samples == 0 || function.data_bytes / function.samples < values + 8;
   return is_single ? 4 : 8;
 }
 
