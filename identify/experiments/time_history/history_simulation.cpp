@@ -130,11 +130,11 @@ Eigen::VectorXd GuessStart(const MeasuredHistory& history, const CondensedModel&
       measured[i] = readings[static_cast<std::size_t>(i)][static_cast<std::size_t>(part)];
     guess.segment(part * n, n) = rows.Solve(measured);
   }
-  // What sticks has begun to slide along the last motion, or away from rest.
+  // What sticks pulls against the last motion, or away from rest, by half of what it can.
   for (std::size_t i = 0; i < model.rubbings.size(); ++i) {
     const CondensedModel::Rubbing& friction = model.rubbings[i];
     const double along = friction.direction.dot(guess.segment((parts - 1) * n, n));
-    guess[parts * n + static_cast<Index>(i)] = std::copysign(friction.law.force / friction.law.stiffness, along);
+    guess[parts * n + static_cast<Index>(i)] = std::copysign(0.5 * friction.law.force / friction.law.stiffness, along);
   }
   return guess;
 }
@@ -215,7 +215,7 @@ HistorySimulation::Start HistorySimulation::StartOf(const CondensedModel& model,
     }
     return left;
   };
-  EstimatedStart estimate = EstimateStart(residuals, guess);
+  EstimatedStart estimate = EstimateStart(residuals, guess, release.Reach(model));
   return {.state = ReleasedState(release, model, estimate.unknowns), .estimate = std::move(estimate)};
 }
 

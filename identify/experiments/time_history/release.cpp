@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "analysis/numerics/decompositions.h"
@@ -50,7 +51,27 @@ Statics StaticsOf(const CondensedModel& model, const std::vector<Port>& ports, c
   return out;
 }
 
+/// From no tension to this one over the stiffness [m]; as good as all of the sliding force takes a finite stroke.
+double StrokeTo(double tension_m, const DahlFriction& law) {
+  constexpr double kAll = 1 - 1e-9;
+  const double sliding_m = law.force / law.stiffness;
+  if (sliding_m == 0) return 0;
+  const double share = std::min(kAll, std::abs(tension_m) / sliding_m);
+  return std::copysign(-sliding_m * std::log1p(-share), tension_m);
+}
+
 }  // namespace
+
+VectorXd Release::Reach(const CondensedModel& model) const {
+  VectorXd reach = VectorXd::Constant(Unknowns(model), std::numeric_limits<double>::infinity());
+  if (from == From::kHeld) return reach;
+  const Index frictions = std::ssize(model.rubbings);
+  for (Index i = 0; i < frictions; ++i) {
+    const DahlFriction& law = model.rubbings[static_cast<std::size_t>(i)].law;
+    reach[reach.size() - frictions + i] = law.force / law.stiffness;
+  }
+  return reach;
+}
 
 Index Release::Unknowns(const CondensedModel& model) const {
   if (from == From::kHeld)
@@ -98,8 +119,11 @@ VectorXd ReleasedState(const Release& release, const CondensedModel& model, cons
   if (release.from != Release::From::kHeld) {
     const Index strokes = std::ssize(model.rubbings);
     state.head(unknowns.size() - strokes) = unknowns.head(unknowns.size() - strokes);
-    state.conservativeResize(state.size() + strokes);
-    state.tail(strokes) = unknowns.tail(strokes);
+    const Index size = state.size();
+    state.conservativeResize(size + strokes);
+    for (Index i = 0; i < strokes; ++i)
+      state[size + i] =
+          StrokeTo(unknowns[unknowns.size() - strokes + i], model.rubbings[static_cast<std::size_t>(i)].law);
     return state;
   }
   const auto count = static_cast<Index>(release.held.size());
@@ -115,7 +139,8 @@ VectorXd ReleasedState(const Release& release, const CondensedModel& model, cons
   return state;
 }
 
-EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& residuals, const VectorXd& guess) {
+EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& residuals, const VectorXd& guess,
+                             const VectorXd& reach) {
   constexpr int kMost = 30;
   // Metres and metres per second; the motion is as exact as rounding.
   constexpr double kApart = 1e-6;
@@ -130,8 +155,10 @@ EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& res
   for (int i = 0; i < kMost; ++i) {
     for (Index j = 0; j < count; ++j) {
       VectorXd moved = out.unknowns;
-      moved[j] += kApart;
-      jacobian.col(j) = (residuals(moved) - now) / kApart;
+      // Inward.
+      const double apart = moved[j] + kApart > reach[j] ? -kApart : kApart;
+      moved[j] += apart;
+      jacobian.col(j) = (residuals(moved) - now) / apart;
     }
     const MatrixXd normal = jacobian.transpose() * jacobian;
     const VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });
@@ -142,7 +169,8 @@ EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& res
     for (; damping < 1e6; damping *= 10) {
       MatrixXd damped = scaled;
       damped.diagonal().array() += damping;
-      const VectorXd moved = out.unknowns - scale.cwiseProduct(Solved(damped, right));
+      const VectorXd moved =
+          (out.unknowns - scale.cwiseProduct(Solved(damped, right))).cwiseMin(reach).cwiseMax(-reach);
       const VectorXd there = residuals(moved);
       gain = 1 - there.squaredNorm() / now.squaredNorm();
       if (!(gain > 0)) continue;

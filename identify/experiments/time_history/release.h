@@ -37,9 +37,11 @@ struct Release {
   /// As a share of each signal's deviation, see HistoryResiduals.
   double model_error = 0.02;
 
-  /// Unknown quantities [m], and velocities of coordinates [m/s or rad/s] behind those of a pose; then, of a pose or a
-  /// state that is not that of a vehicle held still, the stroke [m] by which each friction that sticks came there.
+  /// Unknown quantities [m], and velocities of coordinates [m/s or rad/s] behind those of a pose; then, unless the
+  /// vehicle is held, the tension of each friction that sticks over its stiffness [m].
   Eigen::Index Unknowns(const CondensedModel& model) const;
+  /// Of each, how far from zero it may be: a tension up to the sliding force.
+  Eigen::VectorXd Reach(const CondensedModel& model) const;
 };
 
 /// [s s' x] of these unknowns, with the strokes behind them as CondensedStepper::SetState takes them. Throws
@@ -57,8 +59,8 @@ struct EstimatedStart {
   /// Of them, given all else, for residuals of variance 1 over those left; empty without unknowns.
   Eigen::MatrixXd covariance;
 };
-/// `residuals`: of unknowns. Those that residuals say nothing of stay.
+/// `residuals`: of unknowns. Those that residuals say nothing of stay. `reach`: of each, its largest size.
 EstimatedStart EstimateStart(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
-                             const Eigen::VectorXd& guess);
+                             const Eigen::VectorXd& guess, const Eigen::VectorXd& reach);
 
 }  // namespace fourpost
