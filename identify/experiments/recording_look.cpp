@@ -74,7 +74,7 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
                       (missing_line > 0 ? "line " + std::to_string(missing_line)
                                         : "sample " + std::to_string(column.first_missing + 1)));
   if (column.unit.empty()) remarks.emplace_back("no unit");
-  else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'");
+  else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'" + RecordedUnitHint(column.unit));
   if (column.minimum == column.maximum) remarks.emplace_back("constant");
   const auto clipped = [&](std::size_t samples, double at) {
     if (samples > 0) remarks.push_back("clipped: " + std::to_string(samples) + " samples at " + Rounded(at, 4));
