@@ -99,7 +99,7 @@ TEST(StudyAudit, UnitIsNamedByItsRatio) {
 TEST(StudyAudit, SaysWhichConditionItLacks) {
   LoadedStudy study = ShippedStudy();
   Diagnostics found;
-  found.Report(kWheelpanForgotten, {}, {"F_tyre_FL", "25 kg"});
+  found.Report(kWheelpanForgotten, {}, {"F_tyre_FL", "25", ""});
   EXPECT_THAT(NoAuditText(study, found), testing::HasSubstr("correct [wheelpan-forgotten] first"));
   Sines(study).runs.clear();
   EXPECT_FALSE(AuditStudy(study));
