@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "analysis/signals/median.h"
 #include "analysis/text/text_table.h"
@@ -27,8 +28,11 @@ struct SideRun {
   std::size_t first = 0;
   std::size_t last = 0;
   int side = 0;
+  /// Farthest from the middle.
+  double peak = 0;
 
   std::size_t samples() const { return last - first + 1; }
+  double middle() const { return 0.5 * static_cast<double>(first + last); }
 };
 
 std::vector<SideRun> SideRuns(const std::vector<double>& post, std::size_t begin, std::size_t end, double amplitude) {
@@ -42,8 +46,52 @@ std::vector<SideRun> SideRuns(const std::vector<double>& post, std::size_t begin
     const int side = std::abs(off) < kMoves * amplitude ? 0 : off > 0 ? 1 : -1;
     if (runs.empty() || runs.back().side != side) runs.push_back({k, k, side});
     runs.back().last = k;
+    runs.back().peak = std::max(runs.back().peak, std::abs(off));
   }
   return runs;
+}
+
+/// Of swings from a dwell's end on, or back from its begin, how many fade: at the dwell's frequency each smaller than the
+/// one before, but for two cycles by which the end may be off. The first one may be cut.
+std::size_t FadingSwings(const std::vector<SideRun>& swings, double end, const Dwell& dwell) {
+  constexpr double kSmaller = 0.02;
+  constexpr double kOff = 0.3;
+  constexpr std::size_t kCut = 2;
+  constexpr std::size_t kOfEnd = 4;
+  const double half = 0.5 / dwell.cycles_per_sample;
+  // Samples miss peaks by up to this.
+  const double sampled = (1 - std::cos(std::numbers::pi * dwell.cycles_per_sample)) * dwell.amplitude;
+  double at = end;
+  double peak = dwell.amplitude;
+  std::size_t count = 0;
+  for (const SideRun& swing : swings) {
+    const bool is_next = count < kCut ? std::abs(swing.middle() - end) < 3 * half
+                                      : std::abs(std::abs(swing.middle() - at) - half) < kOff * half;
+    const double most =
+        count < kOfEnd ? (1 + kSmaller) * dwell.amplitude : peak - kSmaller * dwell.amplitude;
+    if (!is_next || swing.peak > most + sampled) break;
+    at = swing.middle();
+    peak = swing.peak;
+    ++count;
+  }
+  return count;
+}
+
+/// Without what fades behind one dwell and in before the next; null beside the first and the last one.
+std::vector<SideRun> WithoutFades(const std::vector<SideRun>& runs, const Dwell* before, const Dwell* after) {
+  std::vector<SideRun> swings;
+  for (const SideRun& run : runs)
+    if (run.side != 0) swings.push_back(run);
+  const std::size_t first = before == nullptr ? 0 : FadingSwings(swings, before->end, *before);
+  std::reverse(swings.begin(), swings.end());
+  const std::size_t last = after == nullptr ? 0 : FadingSwings(swings, after->start, *after);
+  std::vector<SideRun> left;
+  std::size_t number = 0;
+  for (const SideRun& run : runs) {
+    if (run.side != 0) ++number;
+    if (number > first && number + last <= swings.size()) left.push_back(run);
+  }
+  return left;
 }
 
 /// How long a post stays near its middle where it rests: longer than it does between two swings.
@@ -90,14 +138,17 @@ std::vector<std::vector<Between>> LookBetween(const LookedAt& looked) {
         amplitude = std::min(amplitude, dwells[next].amplitude);
         slack += 1 / dwells[next].cycles_per_sample;
       }
-    all.push_back(MotionsOf(SideRuns(post, begin, end, amplitude), looked.recording.rate_Hz));
+    const Dwell* const before = d > 0 ? &dwells[d - 1] : nullptr;
+    const Dwell* const after = d < dwells.size() ? &dwells[d] : nullptr;
+    all.push_back(
+        MotionsOf(WithoutFades(SideRuns(post, begin, end, amplitude), before, after), looked.recording.rate_Hz));
     for (Between& motion : all.back()) motion.slack = slack;
     if (d < dwells.size()) begin = std::min(post.size(), static_cast<std::size_t>(dwells[d].end));
   }
   return all;
 }
 
-/// A rig may fade from each dwell to the next, or to a pause and from it.
+/// A rig may go from each dwell to the next by motions of its own.
 double UsualSwings(const std::vector<std::vector<Between>>& all) {
   std::vector<double> swings;
   for (std::size_t i = 1; i + 1 < all.size(); ++i) {

@@ -285,7 +285,7 @@ std::vector<double> DwellsAndPauses(double pause_s, bool swept) {
 }
 
 TEST(MeasuredResponse, TakesNoPauseForAMotionWithoutDwell) {
-  for (const double pause_s : {0.7, 1.0, 3.0, 10.0}) {
+  for (const double pause_s : {0.0, 0.2, 0.7, 1.0, 3.0, 10.0}) {
     const std::vector<double> post = Noisy(DwellsAndPauses(pause_s, false), 1e-3, 0, 4);
     Diagnostics diagnostics;
     const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics,
@@ -297,7 +297,7 @@ TEST(MeasuredResponse, TakesNoPauseForAMotionWithoutDwell) {
 }
 
 TEST(MeasuredResponse, NamesMotionsWithoutADwellBetweenPauses) {
-  for (const double pause_s : {1.0, 3.0, 10.0}) {
+  for (const double pause_s : {0.0, 0.2, 1.0, 3.0, 10.0}) {
     const std::vector<double> post = Noisy(DwellsAndPauses(pause_s, true), 1e-3, 0, 4);
     Diagnostics diagnostics;
     const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics,
