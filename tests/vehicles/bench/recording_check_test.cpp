@@ -236,7 +236,7 @@ TEST(RecordingCheck, TellsADriftOfTheForceBesideTheMotion) {
   EXPECT_THAT(WarningOf(recording), ReportsNothing());
   for (std::size_t k = 0; k < recording.samples(); ++k)
     recording.channels[1][k] += 7.2 * static_cast<double>(k) / static_cast<double>(recording.samples());
-  EXPECT_THAT(WarningOf(recording), ReportsOnly(kSignalDrifts, {"force drifts by 7", "N from begin to end"}));
+  EXPECT_THAT(WarningOf(recording), ReportsOnly(kSignalDrifts, 0, {"force drifts by 7", "N from begin to end"}));
 }
 
 TEST(RecordingCheck, TellsADeadForceChannel) {
