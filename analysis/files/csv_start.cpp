@@ -5,6 +5,7 @@
 
 #include "analysis/files/csv_scanner.h"
 #include "analysis/files/recorded_unit.h"
+#include "analysis/files/time_recording.h"
 #include "analysis/files/time_stamp.h"
 #include "analysis/text/number.h"
 
@@ -35,6 +36,10 @@ bool IsNameWithUnit(const std::string& field) {
   return !column.unit.empty();
 }
 
+bool IsNameOfTimes(const std::string& field) {
+  return std::find(kTimeColumn.names.begin(), kTimeColumn.names.end(), WithoutMark(field)) != kTimeColumn.names.end();
+}
+
 struct LineOfText {
   /// Byte behind the line before.
   std::size_t at = 0;
@@ -48,6 +53,8 @@ struct LineOfText {
   /// Half of its fields are units alone, or names with units.
   bool is_of_units = false;
   bool names_units = false;
+  /// One is called as times usually are.
+  bool names_times = false;
 };
 
 LineOfText LineOf(const CsvRecord& record, std::size_t at) {
@@ -66,6 +73,7 @@ LineOfText LineOf(const CsvRecord& record, std::size_t at) {
   };
   line.is_of_units = is_half(IsUnit);
   line.names_units = is_half(IsNameWithUnit);
+  line.names_times = std::any_of(fields.begin(), fields.end(), IsNameOfTimes);
   return line;
 }
 
@@ -108,7 +116,8 @@ std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
     if (!is_header(i - 1)) return std::nullopt;
     // Of two such lines the second is one of units, if the first is not about the table that it names.
     const auto is_about = [&](std::size_t k) {
-      return !lines[k + 1].is_of_units && (lines[k].is_marked || lines[k + 1].names_units);
+      return !lines[k + 1].is_of_units && (lines[k].is_marked || lines[k + 1].names_units ||
+                                           (lines[k + 1].names_times && !lines[k].names_times));
     };
     const std::size_t names = i > 1 && is_header(i - 2) && !is_about(i - 2) ? i - 2 : i - 1;
     return TablePlace{columns, names, lines[names].at};

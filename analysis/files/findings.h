@@ -148,7 +148,7 @@ inline const Finding kUnitMissing{"unit-missing", Severity::kError, "column '{}'
                                   "write that of a {} {}, or state it: {channel: {}, unit: {}} in a study, --unit for "
                                   "`fourpost frf` and `fourpost init`"};
 inline const Finding kUnitOfOtherDimension{"unit-of-other-dimension", Severity::kError,
-                                           "column '{}', {}, has the unit '{}'", "it needs that of a {}"};
+                                           "column '{}', {}, has the unit '{}'{}", "it needs that of a {}"};
 inline const Finding kTimeSwapped{"time-column-swapped", Severity::kError,
                                   "column '{}', {}, has the unit '{}', not that of a {}, but column '{}' has one",
                                   "exchange the two columns if they are swapped"};
@@ -215,7 +215,7 @@ inline const Finding kChannelsMissing{"channels-missing", Severity::kError, "at 
                                       "add what is missing or remove the whole frequency"};
 inline const Finding kChannelUnit{
     "channel-unit", Severity::kError,
-    "{}: the unit '{}' is not one of a length, a force, an acceleration or an angular velocity",
+    "{}: the unit '{}' is not one of a length, a force, an acceleration or an angular velocity{}",
     "write one like mm, kN, m/s^2 or deg/s"};
 inline const Finding kChannelUnitUnknown{
     "channel-unit-unknown", Severity::kError,
@@ -228,7 +228,7 @@ inline const Finding kChannelUnitsDiffer{"channel-units-differ", Severity::kErro
 inline const Finding kQuantityNameless{"quantity-nameless", Severity::kError, "the quantity has no name",
                                        "write one or remove the row"};
 inline const Finding kQuantityTwice{"quantity-twice", Severity::kError, "{} is in {} already", "remove one of the two"};
-inline const Finding kQuantityUnit{"quantity-unit", Severity::kError, "{}: unknown unit '{}'",
+inline const Finding kQuantityUnit{"quantity-unit", Severity::kError, "{}: unknown unit '{}'{}",
                                    "write one like N, kg, mm, or 1"};
 inline const Finding kQuantityMissing{"quantity-missing", Severity::kError, "{}: {} is missing", "write a number"};
 inline const Finding kQuantityNotANumber{"quantity-not-a-number", Severity::kError,

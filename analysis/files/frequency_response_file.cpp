@@ -15,6 +15,7 @@
 #include "analysis/files/recording_layout.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
+#include "analysis/text/unit_spelling.h"
 #include "analysis/text/units.h"
 
 namespace fourpost {
@@ -214,7 +215,7 @@ class FrequencyResponseReader {
     const std::string text = UnitText(channel);
     const std::optional<Unit> unit = ParseUnit(text);
     if (IsChannelUnit(unit, text)) return *unit;
-    if (table_.FindColumn("unit")) Fault(kChannelUnit, channel.rows.front(), {channel.name, text});
+    if (table_.FindColumn("unit")) Fault(kChannelUnit, channel.rows.front(), {channel.name, text, UnitHint(text)});
     else Fault(kChannelUnitUnknown, channel.rows.front(), {channel.name});
     return {};
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/text/number.h"
+#include "analysis/text/unit_spelling.h"
 
 namespace fourpost {
 namespace {
@@ -37,17 +38,23 @@ struct RecordedUnit {
 };
 
 /// Those that ParseUnit does not take, or takes as something else. "lb" may be a mass or a force, and is neither.
-constexpr std::array<RecordedUnit, 5> kRecordedUnits = {{
+constexpr std::array<RecordedUnit, 10> kRecordedUnits = {{
     {"g", kGravity, kAcceleration},
     {"gn", kGravity, kAcceleration},
-    {"inch", 0.0254, kLength},
     {"ips", 0.0254, kVelocity},
+    {"fps", 0.3048, kVelocity},
+    // Of the international mile of 1609.344 m.
+    {"mph", 0.44704, kVelocity},
+    {"MPH", 0.44704, kVelocity},
+    {"kph", 1 / 3.6, kVelocity},
+    {"kmh", 1 / 3.6, kVelocity},
+    {"km/hr", 1 / 3.6, kVelocity},
     // Of the international pound and the standard gravity, as in units.cpp.
     {"klbf", 1000 * 0.45359237 * kGravity, kForce},
 }};
 
 std::string Normalised(std::string_view text) {
-  std::string normal(text);
+  std::string normal = WithShortNames(text);
   for (const auto& [from, to] : kSpellings)
     for (std::size_t at = normal.find(from); at != std::string::npos; at = normal.find(from, at + to.size()))
       normal.replace(at, from.size(), to);
@@ -76,6 +83,10 @@ std::optional<Unit> ParseRecordedUnit(std::string_view text) {
   for (const RecordedUnit& known : kRecordedUnits)
     if (unit == known.name) return Unit{known.si, known.dimension};
   return ParseUnit(unit);
+}
+
+std::string RecordedUnitHint(std::string_view text) {
+  return ParseRecordedUnit(text) ? "" : UnitHint(WithoutBrackets(text));
 }
 
 std::optional<Quantity> ParseRecordedQuantity(std::string_view text) {

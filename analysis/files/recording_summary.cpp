@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/sample_times.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/dead_signal.h"
 #include "analysis/signals/drift.h"
+#include "analysis/signals/held_samples.h"
 #include "analysis/signals/median.h"
 #include "analysis/signals/signal_levels.h"
+#include "analysis/signals/slow_drift.h"
+#include "analysis/text/name_meaning.h"
 
 namespace fourpost {
 namespace {
@@ -88,12 +92,17 @@ std::string UnitText(const RecordedTable& table, StatedUnits units, std::size_t 
   return column < units.size() && !units[column].empty() ? units[column] : table.unit(column);
 }
 
-std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, StatedUnits units, std::size_t column) {
+std::vector<double> Times_s(const RecordedTable& table, StatedUnits units, std::size_t column) {
   std::vector<double> times = Values(table, column);
   const std::optional<Unit> unit = ParseRecordedUnit(UnitText(table, units, column));
+  for (double& time : times) time *= unit && unit->dimension == kTime ? unit->si : 1;
+  return times;
+}
+
+std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, StatedUnits units, std::size_t column) {
+  const std::vector<double> times = Times_s(table, units, column);
   const bool all = std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
   if (times.size() < 2 || !all) return std::nullopt;
-  for (double& time : times) time *= unit && unit->dimension == kTime ? unit->si : 1;
   std::vector<double> steps(times.size() - 1);
   for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
   const double usual = UsualStep(steps);
@@ -116,30 +125,13 @@ std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, StatedUnit
   return summary;
 }
 
-/// Samples, the last excluded.
-struct Stretch {
-  std::size_t first = 0;
-  std::size_t last = 0;
-  /// From the begin of the record.
-  double start_s = 0;
-};
-
-/// The longest without a gap.
-Stretch LongestStretch(const RecordedTable& table, StatedUnits units, std::size_t column, const TimeSummary& time) {
-  const std::vector<double> times = Values(table, column);
-  const std::optional<Unit> unit = ParseRecordedUnit(UnitText(table, units, column));
-  const double si = unit && unit->dimension == kTime ? unit->si : 1;
-  Stretch longest;
-  std::size_t first = 0;
-  std::size_t gap = 0;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const bool ends = k + 1 == times.size() || (gap < time.gaps.size() && times[k] * si == time.gaps[gap].from_s);
-    if (!ends) continue;
-    ++gap;
-    if (k + 1 - first > longest.last - longest.first) longest = {first, k + 1, (times[first] - times.front()) * si};
-    first = k + 1;
-  }
-  return longest;
+/// Before which there is a gap.
+std::vector<std::size_t> BreaksOf(const std::vector<double>& times_s, const TimeSummary& time) {
+  std::vector<std::size_t> breaks;
+  for (std::size_t k = 0; k + 1 < times_s.size() && breaks.size() < time.gaps.size(); ++k)
+    if (times_s[k] == time.gaps[breaks.size()].from_s && times_s[k + 1] == time.gaps[breaks.size()].to_s)
+      breaks.push_back(k + 1);
+  return breaks;
 }
 
 void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
@@ -154,6 +146,7 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
   summary.rms = std::sqrt(squares / count);
   const TrendLine trend = TrendOf(values);
   summary.drift = trend.last - trend.first;
+  summary.slow_drift = SlowDrift(values);
   summary.level = LevelOf(values);
   summary.is_dead = IsDead(values);
   const std::size_t top = ClippedAtTop(values, summary.level);
@@ -165,15 +158,13 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
 
 /// `rate_Hz`: where the channel has none of its own.
 ColumnSummary SummariseColumn(const RecordedTable& table, StatedUnits units, std::size_t column, double rate_Hz,
-                              const std::optional<Stretch>& stretch, RestSearch& rest) {
+                              std::span<const std::size_t> breaks, RestSearch& rest) {
   ColumnSummary summary = {.name = table.names()[column], .unit = UnitText(table, units, column)};
   summary.unit_known = ParseRecordedUnit(summary.unit).has_value();
   std::vector<double> values = Values(table, column);
   summary.samples = values.size();
   if (table.recording() != nullptr) summary.rate_Hz = table.recording()->rate_Hz(column);
-  const bool is_cut = stretch && stretch->last <= values.size();
-  rest.Add(is_cut ? std::span<const double>(values).subspan(stretch->first, stretch->last - stretch->first) : values,
-           summary.rate_Hz > 0 ? summary.rate_Hz : rate_Hz);
+  rest.Add(values, summary.rate_Hz > 0 ? summary.rate_Hz : rate_Hz, breaks);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::isfinite(values[row])) continue;
     if (summary.missing++ == 0) summary.first_missing = row;
@@ -181,6 +172,48 @@ ColumnSummary SummariseColumn(const RecordedTable& table, StatedUnits units, std
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (!values.empty()) AddExtent(values, summary);
   return summary;
+}
+
+std::optional<Dimension> DimensionOf(const ColumnSummary& column) {
+  const std::optional<Unit> unit = ParseRecordedUnit(column.unit);
+  return unit ? std::optional(unit->dimension) : std::nullopt;
+}
+
+/// By its name, which says no other part.
+bool MayBePost(const std::string& name) {
+  const std::set<std::string> words = MeaningOf(name).words;
+  return words.empty() || words.contains("post");
+}
+
+/// Takes drifts away that may be how the vehicle moved.
+void KeepDriftsOfSensors(std::vector<ColumnSummary>& columns) {
+  int steady = 0;
+  int drifting = 0;
+  for (const ColumnSummary& column : columns)
+    if (column.rms > 0 && DimensionOf(column) == kLength) ++(column.slow_drift ? drifting : steady);
+  for (ColumnSummary& column : columns) {
+    const std::optional<Dimension> dimension = DimensionOf(column);
+    const bool is_force = dimension == kForce || dimension == kAcceleration;
+    const bool is_sensor = dimension == kLength ? drifting == 1 && steady > 0 && !MayBePost(column.name)
+                                                : is_force && drifting == 0 && steady > 0;
+    if (!is_sensor) column.slow_drift.reset();
+  }
+}
+
+/// Of records that fit into memory at once.
+void AddHeld(const RecordedTable& table, const std::vector<std::size_t>& of, std::vector<ColumnSummary>& columns) {
+  constexpr std::size_t kMost = 20'000'000;
+  std::size_t samples = 0;
+  for (const ColumnSummary& column : columns) samples += column.samples;
+  if (samples > kMost) return;
+  std::vector<std::vector<double>> signals;
+  for (const std::size_t column : of) signals.push_back(Values(table, column));
+  const std::vector<std::vector<HeldSamples>> held = HeldStretches(signals);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    for (const HeldSamples& one : held[i]) {
+      if (columns[i].held == 0) columns[i].first_held = one.first;
+      columns[i].held += one.last - one.first + 1;
+    }
 }
 
 }  // namespace
@@ -198,13 +231,20 @@ RecordingSummary Summarise(const RecordedTable& table, StatedUnits units) {
   if (summary.time)
     summary.time->is_guessed =
         !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(UnitText(table, units, *times));
-  // Across a gap nobody knows when.
-  std::optional<Stretch> stretch;
-  if (summary.time && !summary.time->gaps.empty()) stretch = LongestStretch(table, units, *times, *summary.time);
-  for (std::size_t column = 0; column < table.names().size(); ++column)
-    if (column != times && !table.HoldsText(column))
-      summary.columns.push_back(
-          SummariseColumn(table, units, column, summary.time ? summary.time->rate_Hz : 0, stretch, rest));
+  // Across a gap nobody knows whether it rests.
+  std::vector<double> times_s;
+  if (summary.time && !summary.time->gaps.empty()) times_s = Times_s(table, units, *times);
+  const std::vector<std::size_t> breaks =
+      summary.time ? BreaksOf(times_s, *summary.time) : std::vector<std::size_t>();
+  std::vector<std::size_t> of;
+  for (std::size_t column = 0; column < table.names().size(); ++column) {
+    if (column == times || table.HoldsText(column)) continue;
+    of.push_back(column);
+    summary.columns.push_back(
+        SummariseColumn(table, units, column, summary.time ? summary.time->rate_Hz : 0, breaks, rest));
+  }
+  AddHeld(table, of, summary.columns);
+  KeepDriftsOfSensors(summary.columns);
   // Where all are at rest none is dead.
   const auto moves = [](const ColumnSummary& one) {
     return one.unit_known && one.level > 0 && one.rms > kMoving * one.level;
@@ -217,10 +257,12 @@ RecordingSummary Summarise(const RecordedTable& table, StatedUnits units) {
   for (std::size_t i = 0; summary.rest && i < summary.columns.size(); ++i)
     if (const std::vector<double> samples = rest.Samples(i, *summary.rest); samples.size() >= kFewest)
       summary.columns[i].noise = SensorNoiseOf(samples, rest.rate_Hz(i));
-  if (summary.rest && stretch) {
-    summary.rest->from_s += stretch->start_s;
-    summary.rest->to_s += stretch->start_s;
-  }
+  // Samples that were lost take their time.
+  const auto time_of = [&](double by_samples_s) {
+    const auto sample = static_cast<std::size_t>(std::round(by_samples_s * summary.time->rate_Hz));
+    return times_s[std::min(sample, times_s.size() - 1)] - times_s.front();
+  };
+  if (summary.rest && !times_s.empty()) summary.rest = {time_of(summary.rest->from_s), time_of(summary.rest->to_s)};
   return summary;
 }
 

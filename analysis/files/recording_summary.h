@@ -24,6 +24,9 @@ struct ColumnSummary {
   /// Samples without a finite number; the first of them.
   std::size_t missing = 0;
   std::size_t first_missing = 0;
+  /// Samples that a logger held, see HeldStretches(), and the first of them.
+  std::size_t held = 0;
+  std::size_t first_held = 0;
   /// Of the others; 0 without any. `rms` is that about the mean.
   double minimum = 0;
   double maximum = 0;
@@ -38,6 +41,10 @@ struct ColumnSummary {
   std::size_t clipped_bottom = 0;
   /// By which its straight line rises over the record.
   double drift = 0;
+  /// What of it is beside the channel's motion, see SlowDrift(); nothing where the vehicle may have moved so: of a
+  /// displacement where another one drifts as well, none does not, or its name may be a post's, and of a force or an
+  /// acceleration where any displacement does.
+  std::optional<double> slow_drift = {};
   /// At RecordingSummary::rest; nothing without it, and of fewer than 64 samples there.
   std::optional<SensorNoise> noise = {};
 };
@@ -72,7 +79,7 @@ struct RecordingSummary {
   std::optional<TimeSummary> time;
   /// All columns but that of the times.
   std::vector<ColumnSummary> columns;
-  /// When nothing moves, from the begin of the record; of one with gaps, in its longest stretch without one.
+  /// When nothing moves, without a gap, from the begin of the record.
   std::optional<RestTime> rest = {};
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/signals/deviation.h"
 
@@ -18,28 +19,34 @@ std::size_t AtMost(double most, double samples) {
   return static_cast<std::size_t>(samples < most ? std::max(0.0, samples) : most);
 }
 
-void AddQuarters(const std::vector<double>& part, double rate_Hz, std::vector<double>& quarters) {
+/// Of samples from `begin` on; a quarter with a gap in it or behind it is no rest.
+void AddQuarters(const std::vector<double>& part, std::size_t begin, double rate_Hz,
+                 std::span<const std::size_t> breaks, std::vector<double>& quarters) {
   const std::size_t quarter = AtMost(static_cast<double>(part.size()) + 1, kQuarter_s * rate_Hz);
-  for (std::size_t first = 0; quarter > 0 && first + quarter <= part.size(); first += quarter)
-    quarters.push_back(DeviationOf({part.begin() + static_cast<std::ptrdiff_t>(first),
-                                    part.begin() + static_cast<std::ptrdiff_t>(first + quarter)}));
+  for (std::size_t first = 0; quarter > 0 && first + quarter <= part.size(); first += quarter) {
+    const auto next = std::upper_bound(breaks.begin(), breaks.end(), begin + first);
+    const bool is_broken = next != breaks.end() && *next <= begin + first + quarter;
+    quarters.push_back(is_broken ? std::numeric_limits<double>::infinity()
+                                 : DeviationOf({part.begin() + static_cast<std::ptrdiff_t>(first),
+                                                part.begin() + static_cast<std::ptrdiff_t>(first + quarter)}));
+  }
 }
 
 }  // namespace
 
-void RestSearch::Add(std::span<const double> values, double rate_Hz) {
+void RestSearch::Add(std::span<const double> values, double rate_Hz, std::span<const std::size_t> breaks) {
   Channel channel{.rate_Hz = rate_Hz, .count = values.size()};
   // Of a very fast recorder less, so that many channels fit into memory.
   constexpr double kMost = 1e5;
-  const std::size_t kept = AtMost(kMost, kKept_s * rate_Hz);
+  const std::size_t kept = AtMost(kMost, breaks.empty() ? kKept_s * rate_Hz : kMost);
   const std::size_t begin = std::min(kept, values.size());
   const std::size_t end = std::min(kept, values.size() - begin);
   channel.begin.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
   channel.end.assign(values.end() - static_cast<std::ptrdiff_t>(end), values.end());
   channel.deviation = DeviationOf({values.begin(), values.end()});
-  AddQuarters(channel.begin, rate_Hz, channel.quarters);
+  AddQuarters(channel.begin, 0, rate_Hz, breaks, channel.quarters);
   channel.quarters_of_begin = channel.quarters.size();
-  AddQuarters(channel.end, rate_Hz, channel.quarters);
+  AddQuarters(channel.end, values.size() - end, rate_Hz, breaks, channel.quarters);
   channels_.push_back(std::move(channel));
 }
 

@@ -13,15 +13,16 @@ struct RestTime {
   double to_s = 0;
 };
 
-/// Finds where all channels of a record rest, of its first and last half minute, from what they look like in quarters
-/// of a second; channels are looked at one after the other and need not be kept.
+/// Finds where all channels of a record rest, of its first and last half minute, of one with gaps in all of it, from
+/// what they look like in quarters of a second; channels are looked at one after the other and need not be kept. Times
+/// are those of samples without gaps.
 class RestSearch {
  public:
-  /// Of one channel, all samples; no finite ones do not count.
-  void Add(std::span<const double> values, double rate_Hz);
+  /// Of one channel, all samples; no finite ones do not count. `breaks`: samples before which there is a gap, in order.
+  void Add(std::span<const double> values, double rate_Hz, std::span<const std::size_t> breaks = {});
 
   /// The longest time, of half a second at least, in which every channel that moves by ten times its least quarter
-  /// second elsewhere moves by no more than twice that; nothing without such a channel.
+  /// second elsewhere moves by no more than twice that, without a gap; nothing without such a channel.
   std::optional<RestTime> Longest() const;
 
   /// Samples of the channel that was added as the n-th, in that time; empty where it has none.

@@ -9,6 +9,7 @@
 #include "analysis/files/findings.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/text/number.h"
+#include "analysis/text/unit_spelling.h"
 
 namespace fourpost {
 namespace {
@@ -39,7 +40,7 @@ class StaticLoadsReader {
     measurement.name = Text("quantity");
     CheckName(measurement.name);
     const std::optional<Unit> unit = ParseUnit(Text("unit"));
-    if (!unit) Fault(kQuantityUnit, {measurement.name, Text("unit")});
+    if (!unit) Fault(kQuantityUnit, {measurement.name, Text("unit"), UnitHint(Text("unit"))});
     else measurement.dimension = unit->dimension;
     measurement.value = ReadNumber("value", unit.has_value());
     measurement.sd = ReadNumber("sd", unit.has_value());

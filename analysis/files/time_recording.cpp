@@ -176,7 +176,7 @@ class RecordReader {
     const int line = table_.units_line();
     if (text.empty())
       Fault(kUnitMissing, line, {name, channel.what, wanted, table_.WhereUnitsStand(name, such), name, such});
-    else if (others.empty()) Fault(kUnitOfOtherDimension, line, {name, channel.what, text, wanted});
+    else if (others.empty()) Fault(kUnitOfOtherDimension, line, {name, channel.what, text, RecordedUnitHint(text), wanted});
     // Times that are in a unit of something else.
     else Fault(kTimeSwapped, line, {name, channel.what, text, wanted, others.front()});
     return 1;

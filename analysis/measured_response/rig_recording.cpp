@@ -38,7 +38,7 @@ std::string UnknownUnit(const RecordedTable& table, std::size_t column, const st
   if (ParseRecordedUnit(unit) || table.HoldsText(column)) return "";
   const std::optional<double> first = table.rows(column) > 0 ? table.Number(0, column) : std::nullopt;
   if (!first || std::isnan(*first)) return "";
-  return "'" + table.names()[column] + "' (" + (unit.empty() ? "no unit" : unit) + ")";
+  return "'" + table.names()[column] + "' (" + (unit.empty() ? "no unit" : unit + RecordedUnitHint(unit)) + ")";
 }
 
 std::string ListOr(const std::vector<std::string>& names, const std::string& none, const std::string& between = ", ") {

@@ -9,7 +9,7 @@ inline const Finding kNameUnknown{"name-unknown", Severity::kError, "there is no
 inline const Finding kQuantityWrong{"quantity-unreadable", Severity::kError,
                                     "'{}' is not a number with a unit of the dimension of {}",
                                     "write both, such as \"40 kN/m\""};
-inline const Finding kUnitUnknown{"unit-unknown", Severity::kError, "'{}' is not a unit",
+inline const Finding kUnitUnknown{"unit-unknown", Severity::kError, "'{}' is not a unit{}",
                                   "write N/m, kN*s/m, mm and the like"};
 inline const Finding kAmplitudeCount{"amplitude-count", Severity::kError, "there are {} amplitudes for {} frequencies",
                                      "give one for each, or one for all"};

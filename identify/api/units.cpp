@@ -1,6 +1,7 @@
 #include <fourpost/units.h>
 
 #include "analysis/text/units.h"
+#include "analysis/text/unit_spelling.h"
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"
 
@@ -10,7 +11,7 @@ double ToSi(const std::string& quantity, const std::string& unit) {
   return Guarded([&] {
     const std::optional<Quantity> read = ParseQuantity(quantity);
     const std::optional<Unit> wanted = ParseUnit(unit);
-    if (!wanted) Refuse(kUnitUnknown, {}, {unit});
+    if (!wanted) Refuse(kUnitUnknown, {}, {unit, UnitHint(unit)});
     if (!read || read->unit.dimension != wanted->dimension) Refuse(kQuantityWrong, {}, {quantity, unit});
     return read->si;
   });
@@ -18,7 +19,7 @@ double ToSi(const std::string& quantity, const std::string& unit) {
 
 std::string InUnit(double si, const std::string& unit) {
   return Guarded([&] {
-    if (!ParseUnit(unit)) Refuse(kUnitUnknown, {}, {unit});
+    if (!ParseUnit(unit)) Refuse(kUnitUnknown, {}, {unit, UnitHint(unit)});
     return FormatQuantity(si, unit);
   });
 }
@@ -26,7 +27,7 @@ std::string InUnit(double si, const std::string& unit) {
 std::string SiUnitOf(const std::string& unit) {
   return Guarded([&] {
     const std::optional<Unit> read = ParseUnit(unit.empty() ? "1" : unit);
-    if (!read) Refuse(kUnitUnknown, {}, {unit});
+    if (!read) Refuse(kUnitUnknown, {}, {unit, UnitHint(unit)});
     return SiUnit(read->dimension);
   });
 }

@@ -7,7 +7,7 @@ namespace fourpost {
 
 // Tables of positions.
 
-inline const Finding kPositionsUnit{"positions-unit", Severity::kError, "column '{}' has the unknown unit '{}'",
+inline const Finding kPositionsUnit{"positions-unit", Severity::kError, "column '{}' has the unknown unit '{}'{}",
                                     "write one such as N*s/m in the second line"};
 inline const Finding kPositionsNumber{"positions-number", Severity::kError, "column '{}' has no number here",
                                       "give every position a number"};

@@ -6,6 +6,7 @@
 
 #include "analysis/files/csv.h"
 #include "analysis/text/number.h"
+#include "analysis/text/unit_spelling.h"
 #include "identify/choice/findings.h"
 #include "identify/study/loaded_study.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -29,7 +30,7 @@ std::optional<PositionTable::Column> ColumnOf(const CsvTable& csv, std::size_t c
   const std::string unit_text = csv.units().empty() ? "" : csv.units()[column];
   const std::optional<Unit> unit = ParseUnit(unit_text.empty() ? "1" : unit_text);
   if (!unit) {
-    diagnostics.Report(kPositionsUnit, {csv.file(), csv.units_line()}, {read.name, unit_text});
+    diagnostics.Report(kPositionsUnit, {csv.file(), csv.units_line()}, {read.name, unit_text, UnitHint(unit_text)});
     return std::nullopt;
   }
   read.dimension = unit->dimension;

@@ -27,7 +27,7 @@ inline const Finding kPostChannelMalformed{"post-channel-malformed", Severity::k
                                            "'{}' does not name a channel and its post", "write it as CHANNEL=FL"};
 
 inline const Finding kChannelUnitMalformed{
-    "channel-unit-malformed", Severity::kError, "'{}' does not name a channel and its unit",
+    "channel-unit-malformed", Severity::kError, "'{}' does not name a channel and its unit{}",
     "write it as CHANNEL=mm, with a unit such as m, mm, N, kN, g, m/s^2 or deg/s"};
 
 // Folders of fits.

@@ -13,7 +13,7 @@ void AddUnit(const std::string& text, std::vector<StatedUnit>& units, Diagnostic
   const std::size_t sign = text.rfind('=');
   const std::string unit = sign == std::string::npos ? "" : text.substr(sign + 1);
   if (sign == std::string::npos || sign == 0 || !ParseRecordedUnit(unit))
-    faults.Report(kChannelUnitMalformed, Place::Option("--unit"), {text});
+    faults.Report(kChannelUnitMalformed, Place::Option("--unit"), {text, RecordedUnitHint(unit)});
   else units.push_back({text.substr(0, sign), unit});
 }
 

@@ -27,8 +27,12 @@ struct OverTime {
   std::vector<std::string> points;
   std::vector<std::string> descriptions;
   std::size_t samples = 0;
-  /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
-  std::vector<int> missing_lines;
+  /// Lines of the rows that first lack a number and are held, a column each; 0 where none is and of a MAT file.
+  struct Lines {
+    int missing = 0;
+    int held = 0;
+  };
+  std::vector<Lines> lines;
   /// Why a fit to its channels would not take it.
   std::vector<std::string> refusals;
 };
@@ -65,16 +69,23 @@ void AddNoise(const SensorNoise& noise, double level, std::vector<std::string>& 
   if (!noise.is_normal && noise.sd > 2 * level) remarks.emplace_back("noise: not normal");
 }
 
+/// By line, 0 of a MAT file, or sample.
+std::string PlaceOf(int line, std::size_t sample) {
+  return line > 0 ? "line " + std::to_string(line) : "sample " + std::to_string(sample + 1);
+}
+
 /// What would keep a study from using it, or should be looked at.
-std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) {
+std::vector<std::string> Remarks(const ColumnSummary& column, const OverTime::Lines& lines, double duration_s) {
   std::vector<std::string> remarks;
   if (column.missing == column.samples) return {"no numbers"};
   if (column.missing > 0)
     remarks.push_back(std::to_string(column.missing) + " missing, first in " +
-                      (missing_line > 0 ? "line " + std::to_string(missing_line)
-                                        : "sample " + std::to_string(column.first_missing + 1)));
+                      PlaceOf(lines.missing, column.first_missing));
+  if (column.held > 0)
+    remarks.push_back("held by the logger: " + std::to_string(column.held) + " samples, first in " +
+                      PlaceOf(lines.held, column.first_held));
   if (column.unit.empty()) remarks.emplace_back("no unit");
-  else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'");
+  else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'" + RecordedUnitHint(column.unit));
   if (column.minimum == column.maximum) remarks.emplace_back("constant");
   const auto clipped = [&](std::size_t samples, double at) {
     if (samples > 0) remarks.push_back("clipped: " + std::to_string(samples) + " samples at " + Rounded(at, 4));
@@ -85,6 +96,9 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
   constexpr double kDrifts = 1.7;
   if (std::abs(column.drift) > kDrifts * column.rms && column.rms > 0 && column.minimum != column.maximum)
     remarks.push_back("drifts by " + Rounded(column.drift, 2));
+  else if (column.slow_drift)
+    remarks.push_back("drifts by " + Rounded(*column.slow_drift, 2) + " over " + Rounded(duration_s, 3) +
+                      " s beside its motion, `trend: remove` in a study takes it away");
   if (column.noise && column.noise->sd > 0) AddNoise(*column.noise, column.level, remarks);
   // A level's rounding has the deviation level/sqrt(12).
   if (column.is_dead) remarks.emplace_back("dead: nothing but noise of its converter");
@@ -134,6 +148,10 @@ bool HasAny(const std::vector<std::string>& texts) {
   return std::any_of(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
 }
 
+double DurationOf(const RecordingSummary& summary) {
+  return summary.time ? summary.time->end_s - summary.time->start_s : 0;
+}
+
 TextTable ChannelsTable(const OverTime& content) {
   std::vector<std::string> names = {"channel", "unit",  "minimum", "maximum", "mean",
                                     "rms",     "level", "noise",   "remarks"};
@@ -152,7 +170,7 @@ TextTable ChannelsTable(const OverTime& content) {
                                     Rounded(c.rms, 4),
                                     Rounded(c.level, 2),
                                     c.noise ? Rounded(c.noise->sd, 3) : "",
-                                    Joined(Remarks(c, content.missing_lines[i]))};
+                                    Joined(Remarks(c, content.lines[i], DurationOf(content.summary)))};
     if (HasAny(content.descriptions)) row.insert(row.begin() + 2, content.descriptions[i]);
     if (IsShown(content.points)) row.insert(row.begin() + 2, content.points[i]);
     if (IsShown(content.groups)) row.insert(row.begin() + 2, content.groups[i]);
@@ -242,6 +260,7 @@ Json JsonOf(const OverTime& content) {
                                 {"samples", c.samples},
                                 {"rate_Hz", c.rate_Hz > 0 ? Json(c.rate_Hz) : Json()},
                                 {"missing", c.missing},
+                                {"held", c.held},
                                 {"minimum", c.minimum},
                                 {"maximum", c.maximum},
                                 {"mean", c.mean},
@@ -250,8 +269,9 @@ Json JsonOf(const OverTime& content) {
                                 {"clipped_top", c.clipped_top},
                                 {"clipped_bottom", c.clipped_bottom},
                                 {"drift", c.drift},
+                                {"slow_drift", c.slow_drift ? Json(*c.slow_drift) : Json()},
                                 {"noise", c.noise ? NoiseJson(*c.noise) : Json()},
-                                {"remarks", Remarks(c, content.missing_lines[i])}});
+                                {"remarks", Remarks(c, content.lines[i], DurationOf(content.summary))}});
     if (!content.groups.empty() && !content.groups[i].empty())
       json["channels"].back()["group"] = ValidUtf8(content.groups[i]);
     if (!content.points.empty() && !content.points[i].empty())
@@ -306,7 +326,8 @@ RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTabl
   }
   AddLengths(summary, table, content.refusals);
   for (const ColumnSummary& column : summary.columns)
-    content.missing_lines.push_back(column.missing > 0 ? table.line(column.first_missing) : 0);
+    content.lines.push_back({column.missing > 0 ? table.line(column.first_missing) : 0,
+                             column.held > 0 ? table.line(column.first_held) : 0});
   return {TextOf(content), JsonOf(content)};
 }
 

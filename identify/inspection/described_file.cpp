@@ -37,9 +37,7 @@ std::optional<DescribedFile> DescribeStudy(const std::filesystem::path& file, Di
                                  {"inputs", std::move(files)},
                                  {"audit", audit ? AuditJson(*audit) : Json()},
                                  {"warnings", WarningsJson(described.findings)}});
-  described.text =
-      audit ? AuditText(*audit)
-            : "no audit: it needs stepped sines or histories of eight seconds, and posts and wheelpans as stated\n";
+  described.text = audit ? AuditText(*audit) : NoAuditText(*study, described.findings);
   described.text += NoiseAtRestText(*study);
   for (const Diagnostic& finding : described.findings.ByWeight()) described.text += Format(finding) + '\n';
   return described;

@@ -176,12 +176,6 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   return all;
 }
 
-/// Of what an audit takes as stated: the motion of the posts, and the masses on load cells.
-bool ContradictsAnAudit(const Diagnostic& item) {
-  return item.id == kPostsMoveOtherwise.id() || item.id == kWheelpanForgotten.id() ||
-         item.id == kWheelpanTakenOut.id() || item.id == kRigAmplitude.id() || item.id == kSineThousandfold.id();
-}
-
 }  // namespace
 
 Control ControlOf(const Study& study, const Vehicle& vehicle) {

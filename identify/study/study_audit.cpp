@@ -11,6 +11,7 @@
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
 #include "identify/experiments/audited_vehicle.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/time_history/time_histories.h"
@@ -282,8 +283,36 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
     diagnostics.Report(kRigContradiction, {.file = study.study.file.string()}, {ShortNumber(audit.misfit, 2)});
 }
 
+bool ContradictsAnAudit(const Diagnostic& finding) {
+  return finding.id == kPostsMoveOtherwise.id() || finding.id == kWheelpanForgotten.id() ||
+         finding.id == kWheelpanTakenOut.id() || finding.id == kRigAmplitude.id() || finding.id == kSineThousandfold.id();
+}
+
+std::string NoAuditText(const LoadedStudy& study, const Diagnostics& findings) {
+  const std::vector<Diagnostic>& all = findings.items();
+  if (const auto found = std::find_if(all.begin(), all.end(), ContradictsAnAudit); found != all.end())
+    return "no audit of the rig: it takes amplitudes, motions of posts and wheelpans as stated, and they are not; correct "
+           "[" + found->id + "] first\n";
+  const TimeHistories* const histories = study.study.experiments.Find<TimeHistories>();
+  std::string unfit;
+  for (std::size_t h = 0; histories != nullptr && h < histories->fitted.size(); ++h) {
+    const MeasuredHistory& history = histories->fitted[h];
+    const double measured_s = static_cast<double>(history.LongestMeasured().count) / history.rate_Hz;
+    unfit += (unfit.empty() ? "'" : ", '") + history.name + "' " +
+             (history.release ? "begins with a release" : "has " + ShortNumber(measured_s, 2) + " s without a gap");
+  }
+  if (unfit.empty())
+    return "no audit of the rig: nothing that is fitted is a stepped sine or a time history; add `recordings` or "
+           "`histories`\n";
+  return "no audit of the rig: it needs eight seconds without a gap in which posts move, or stepped sines: " + unfit +
+         "; record such a motion\n";
+}
+
 std::string AuditText(const Audit& audit) {
-  if (!audit.is_redundant) return "audit of the rig: no channel can be checked by others\n";
+  if (!audit.is_redundant)
+    return "audit of the rig: no channel can be checked by others, as they measure no more motions than the car has; "
+           "add sensors of a motion that others measure too, such as displacement and acceleration of one point, or "
+           "load cells under all tyres\n";
   std::map<std::string, Seen> seen;
   std::vector<std::string> order;
   std::string open;

@@ -64,7 +64,7 @@ inline const Finding kChannelSign{"channel-sign", Severity::kError, "'sign' of {
 inline const Finding kChannelScale{"channel-scale", Severity::kError, "'scale' of {} must be above zero",
                                    "invert a channel with 'sign: -1'"};
 inline const Finding kChannelSourceUnit{"channel-source-unit", Severity::kError,
-                                        "'unit' of {} is '{}', an unknown unit", "write one such as mm, kN or m/s^2"};
+                                        "'unit' of {} is '{}', an unknown unit{}", "write one such as mm, kN or m/s^2"};
 
 inline const Finding kChannelOffset{"channel-offset", Severity::kError,
                                     "'offset' of {} is '{}', not a number with a unit", "write it as 3 mm"};

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/text/nearest.h"
+#include "analysis/text/unit_spelling.h"
 #include "identify/study_file/findings.h"
 
 namespace fourpost {
@@ -146,7 +147,7 @@ std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dime
   // Angles are pure numbers, but degrees or radians must be written.
   if (quantity && quantity->unit.dimension == dimension && !quantity->unit_text.empty()) return quantity->si;
   diagnostics.Report(kKeyNotQuantity, {file, LineOf(node)},
-                     {what, UnitExample(dimension), node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""});
+                     {what, UnitExample(dimension), node.IsScalar() ? ", got '" + node.Scalar() + "'" + UnitHint(node.Scalar()) : ""});
   return std::nullopt;
 }
 

@@ -202,6 +202,70 @@ class Info(ProgramTest):
             self.assertRegex(warning, "'s_strut' comes [23][.0-9]* ms " + ("late" if late > 0 else "early"))
             self.assertRegex(warning, "delay: -?[23][.0-9]* ms")
 
+    def test_of_a_study_of_histories_says_which_condition_of_an_audit_it_lacks(self):
+        model = SOURCE / "urdf/quarter_car.urdf"
+        self.run_program("simulate", model, "--random", "4mm", "--seed", "1", "--duration", "6s", "--engine", "reduced",
+                         "-o", "r.csv")
+        post = (self.folder / "r.csv").read_text().split(",", 2)[1]
+        self.write("study.yaml", f"vehicle: {model}\nhistories:\n  - {{name: short, file: r.csv, posts: {{post: {post}}}}}\n"
+                                 "channels: {a_sprung: a_sprung, a_unsprung: a_unsprung}\nfree: [k]\n")
+        self.assertRegex(self.run_program("info", "study.yaml").stdout,
+                         r"no audit of the rig: it needs eight seconds .*'short' has [56][.0-9]* s without a gap")
+
+    def test_names_channels_that_a_logger_held(self):
+        rows = [list(row) for row in samples(1000)]
+        for row in rows[600:640]:
+            row[1] = rows[599][1]
+        told = self.info("r.csv", table([("time", "x", "y"), ("s", "mm", "mm"), *((t, x, math.cos(31 * t)) for t, x, _ in rows)]))
+        x, y = told["channels"]
+        self.assertEqual((x["held"], y["held"]), (40, 0))
+        self.assertEqual(x["remarks"], ["held by the logger: 40 samples, first in line 603"])
+        self.assertEqual(y["remarks"], [])
+
+    def test_tells_rest_before_a_gap_and_between_gaps(self):
+        draw = random.Random(2)
+        def moving(t):
+            return 5 * math.sin(2 * math.pi * 2 * t)
+        # Four seconds of rest, then a gap and a longer stretch of motion; rest between two gaps of motion.
+        for rest, gaps in ((0, [4]), (20, [20, 24])):
+            rows = []
+            for k in range(30 * 200):
+                t = k / 200
+                late = sum(3 for gap in gaps if t >= gap)
+                rows.append((f"{t + late:.3f}", (0 if rest <= t < rest + 4 else moving(t)) + draw.gauss(0, 0.01)))
+            told = self.info("r.csv", table([("time", "x"), ("s", "mm"), *rows]))
+            self.assertEqual(len(told["time"]["gaps"]), len(gaps))
+            begin = rest + 3 * (rest > 0)
+            # Rest is known to a quarter of a second, and a quarter ends at the gap.
+            self.assertGreaterEqual(told["rest_s"][0], begin - 0.01)
+            self.assertGreater(told["rest_s"][1], begin + 3)
+            self.assertLess(told["rest_s"][1], begin + 4.01)
+            self.assertAlmostEqual(told["channels"][0]["noise"]["sd"], 0.01, delta=0.001)
+
+    def test_names_a_force_that_drifts_and_no_motion_that_rises(self):
+        draw = random.Random(3)
+        def record(force, post):
+            rows = []
+            for k in range(60 * 100):
+                t = k / 100
+                z = 5 * math.sin(2 * math.pi * 1.7 * t) + 2 * math.sin(2 * math.pi * 4.1 * t)
+                rows.append((f"{t:.2f}", f"{z + post * t / 60:.6g}", f"{0.5 * z + draw.gauss(0, 0.01):.6g}",
+                             f"{100 * z + draw.gauss(0, 1) + force * t / 60:.6g}"))
+            return [one["remarks"] for one in self.info("r.csv", table([("time", "z_post", "s_strut", "F_tyre"), ("s", "mm", "mm", "N"), *rows]))["channels"]]
+
+        self.assertEqual(record(0, 0), [[], [], []])
+        self.assertEqual(record(0, 2), [[], [], []])
+        post, strut, (force,) = record(28, 0)
+        self.assertEqual((post, strut), ([], []))
+        self.assertRegex(force, r"drifts by 2[78][.0-9]* over 60.0 s beside its motion, `trend: remove`")
+
+    def test_says_what_to_write_for_a_unit(self):
+        told = self.info("r.csv", table([("time", "x", "F", "G", "v"), ("seconds", "inches", "lbs", "KN", "mph"),
+                                         *((k / 100, *(math.sin(k * f) for f in (1, 2, 3, 4))) for k in range(50))]))
+        self.assertEqual([one["remarks"] for one in told["channels"]],
+                         [[], ["unknown unit 'lbs': pounds are a mass or a force, write 'lbm' or 'lbf'"],
+                          ["unknown unit 'KN', did you mean 'kN'?"], []])
+
     def test_says_what_else_fits_other_files(self):
         self.run_program("init", "car")
         for name, finding in (("car/vehicle.urdf", "vehicle-for-recording"), ("car", "folder-for-recording"), ("response.svg", "file-of-other-kind")):

@@ -86,7 +86,7 @@ inline const Finding kForceCoarse{"force-coarse", Severity::kWarning, "force has
                                   "record with a finer range"};
 inline const Finding kSignalDrifts{"signal-drifts", Severity::kWarning,
                                    "{} drifts by {} from begin to end, of a span of {}",
-                                   "warm up the amplifier and the damper, or remove the drift"};
+                                   "warm up the amplifier and the damper, or write 'trend: remove' at its channel"};
 inline const Finding kForcePushes{
     "force-offset-bump", Severity::kWarning,
     "force is {} in the mean of its turning points, where the damper is at rest, of a span of {}, and the vehicle file "

@@ -15,6 +15,7 @@
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/jumps.h"
 #include "analysis/signals/signal_levels.h"
+#include "analysis/signals/slow_drift.h"
 #include "analysis/signals/spikes.h"
 #include "analysis/signals/turning_points.h"
 #include "analysis/text/short_number.h"
@@ -265,10 +266,18 @@ class Checker {
       Warn(kForceCoarse, {ShortNumber(LevelOf(force_)) + " N", ShortNumber(SpanOf(force_)) + " N"});
   }
 
+  /// Steadily beside the motion, while the displacement does not.
+  bool DoesForceDrift() {
+    const std::optional<double> drift = SlowDrift(force_);
+    if (!drift || SlowDrift(x_)) return false;
+    Warn(kSignalDrifts, {"force", ShortNumber(*drift, 2) + " N", ShortNumber(SpanOf(force_)) + " N"});
+    return true;
+  }
+
   /// Of what stands at the turning points of the displacement, where the speed is zero.
   void CheckDrift() {
     constexpr std::size_t kFewest = 12;
-    if (turns_.size() < kFewest) return;
+    if (turns_.size() < kFewest || DoesForceDrift()) return;
     Signal places;
     Signal middles;
     Signal resting;

@@ -54,7 +54,7 @@ inline const Finding kNumberWithoutUnit{"number-without-unit", Severity::kError,
                                         "write {}, such as \"{}\"{}"};
 inline const Finding kNumberOfOtherDimension{"number-of-other-dimension", Severity::kError, "{} is {}",
                                              "write {}, such as \"{}\"{}"};
-inline const Finding kNumberUnknownUnit{"number-unknown-unit", Severity::kError, "{} has the unknown unit '{}'",
+inline const Finding kNumberUnknownUnit{"number-unknown-unit", Severity::kError, "{} has the unknown unit '{}'{}",
                                         "write {}"};
 inline const Finding kNumberComma{"number-comma", Severity::kError, "{} has a comma", "write a point, as in {}"};
 inline const Finding kNotAQuantity{"not-a-quantity", Severity::kError, "{} is not a number with a unit", "write {}"};

@@ -6,6 +6,7 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
+#include "analysis/text/unit_spelling.h"
 #include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/reader/tree_reference.h"
@@ -26,7 +27,7 @@ Found QuantityFault(std::string_view text, const std::string& needed) {
   const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
   if (end == text.size() || !ParseNumber(text.substr(0, end))) return {&kNotAQuantity, {needed}};
   if (text[end] == ',') return {&kNumberComma, {needed}};
-  return {&kNumberUnknownUnit, {std::string(Trimmed(text.substr(end))), needed}};
+  return {&kNumberUnknownUnit, {std::string(Trimmed(text.substr(end))), UnitHint(text), needed}};
 }
 
 std::string Example(const Dimension& dimension) { return "1 " + SiUnit(dimension); }

@@ -7,7 +7,7 @@ namespace fourpost {
 
 // Values of options.
 
-inline const Finding kOptionQuantity{"option-quantity", Severity::kError, "'{}' is not a {}",
+inline const Finding kOptionQuantity{"option-quantity", Severity::kError, "'{}' is not a {}{}",
                                      "write a number with its unit, such as {}"};
 inline const Finding kOptionNotPositive{"option-not-positive", Severity::kError, "'{}' must be above zero"};
 inline const Finding kOptionShare{"option-share", Severity::kError, "'{}' is not a share",

@@ -110,6 +110,10 @@ inline const Finding kChannelSpiked{
     "them",
     "leave such fields empty and state 'bridge', or fit by a robust loss ('loss' of 'refine')",
     Weight::kGrave};
+inline const Finding kChannelDrifts{
+    "channel-drifts", Severity::kWarning,
+    "'{}' of '{}' drifts by {} over {} beside its motion, and no post does, as of a sensor that warms up",
+    "write '{}' in the study, or let it warm up before recording"};
 inline const Finding kTimesClosedUp{
     "times-closed-up", Severity::kWarning,
     "a post and a displacement of '{}' jump at {}{}, as where rows are missing and times were closed up",

@@ -27,6 +27,7 @@
 #include "identify/experiments/time_history/motionless_signals.h"
 #include "identify/experiments/time_history/post_sampling.h"
 #include "identify/experiments/time_history/signal_breaks.h"
+#include "identify/experiments/time_history/signal_drifts.h"
 #include "identify/experiments/time_history/unknown_input.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/findings.h"
@@ -100,10 +101,8 @@ class HistoryLoader {
       CheckPost(p, history);
     }
     AddSignals(*recording, noise, history);
-    for (const SpikedSignal& signal : SpikedSignals(history))
-      diagnostics_.Report(
-          kChannelSpiked, {file_, signal.line},
-          {signal.name, history.name, Counted(signal.count, "sample"), signal.reading, SecondsText(signal.first_s)});
+    ReportSpikes(history, file_, diagnostics_);
+    ReportDrifts(history, file_, diagnostics_);
     if (good_) LeaveOutUnknownInputs(*recording, history);
     return history;
   }

@@ -5,10 +5,13 @@
 #include <set>
 #include <span>
 
+#include "analysis/files/sample_times.h"
 #include "analysis/signals/jumps.h"
 #include "analysis/signals/spikes.h"
+#include "analysis/text/counted.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
+#include "identify/experiments/time_history/findings.h"
 
 namespace fourpost {
 namespace {
@@ -45,19 +48,16 @@ std::vector<std::size_t> Outliers(std::span<const double> signal) {
 
 }  // namespace
 
-std::vector<SpikedSignal> SpikedSignals(const MeasuredHistory& history) {
-  std::vector<SpikedSignal> spiked;
+void ReportSpikes(const MeasuredHistory& history, const std::string& study_file, Diagnostics& diagnostics) {
   for (const MeasuredSignal& signal : history.signals) {
     const std::vector<std::size_t> spikes = Outliers(ValuesOf(signal.values));
     if (spikes.empty()) continue;
     const auto first = static_cast<Eigen::Index>(spikes.front());
-    spiked.push_back({.name = signal.name,
-                      .line = signal.source.line,
-                      .count = spikes.size(),
-                      .first_s = history.TimeAt(first),
-                      .reading = ShortNumber(signal.values[first], 3) + " " + signal.unit});
+    diagnostics.Report(
+        kChannelSpiked, {study_file, signal.source.line},
+        {signal.name, history.name, Counted(spikes.size(), "sample"),
+         ShortNumber(signal.values[first], 3) + " " + signal.unit, SecondsText(history.TimeAt(first))});
   }
-  return spiked;
 }
 
 std::vector<BridgedGap> ClosedUpTimes(const MeasuredHistory& history) {

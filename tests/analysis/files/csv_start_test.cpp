@@ -35,6 +35,22 @@ TEST(CsvStart, MayHoldLinesWithAsManyFields) {
   EXPECT_EQ(table.rows(), 3);
 }
 
+// As many fields as there are columns, some of them empty or a dash, and names without units.
+TEST(CsvStart, MayHoldFieldsWithoutAValue) {
+  for (const char* above : {"Date:\n", "Operator;\nDate;\n", "Date;;\n\n", "Description;-\n", "Stroke;mm\n\n", "Name;Miller\n"}) {
+    const CsvTable table = Parse(std::string(above) + "time;F\n0;1,5\n1;2,5\n2;3,5\n");
+    EXPECT_THAT(table.names(), ElementsAre("time", "F")) << above;
+    EXPECT_EQ(table.rows(), 3);
+  }
+}
+
+// Units that are not known are no names.
+TEST(CsvStart, HasUnitsThatAreNotKnownBelowNames) {
+  const CsvTable table = Parse("Bench 7\ntime;counts\nsec.;U\n0;1,5\n1;2,5\n2;3,5\n");
+  EXPECT_THAT(table.names(), ElementsAre("time", "counts"));
+  EXPECT_THAT(table.units(), ElementsAre("sec.", "U"));
+}
+
 // In a column of comments, which rows need not have.
 TEST(CsvStart, IsAboveRowsOfWhichSomeHaveAComment) {
   for (const char* rows : {"0,1,warm-up\n1,2,\n2,3,\n", "0,1,\n1,2,\n2,3,cold\n", "0,1,warm-up\n1,2\n2,3\n"}) {

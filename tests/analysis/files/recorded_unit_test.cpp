@@ -36,6 +36,16 @@ TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
                {"in/s2", 0.0254, kAcceleration},
                {"ft/s", 0.3048, kVelocity},
                {"mbar", 100, kPressure},
+               {"inch", 0.0254, kLength},
+               {"Inches", 0.0254, kLength},
+               {"inches/sec", 0.0254, kVelocity},
+               {"feet", 0.3048, kLength},
+               {"Newtons", 1, kForce},
+               {"meters/second^2", 1, kAcceleration},
+               // NIST SP 811, appendix B.8.
+               {"mph", 0.44704, kVelocity},
+               {"kph", 1 / 3.6, kVelocity},
+               {"km/h", 1 / 3.6, kVelocity},
                {"-", 1, kDimensionless}};
   for (const auto& [text, si, dimension] : cases) {
     const std::optional<Unit> unit = ParseRecordedUnit(text);
@@ -51,7 +61,7 @@ TEST(RecordedUnit, OfPressureAndSlugsIsThatOfTheTables) {
   EXPECT_NEAR(ParseRecordedUnit("psi").value().si / 6894.757, 1, kPrinted);
   EXPECT_NEAR(ParseRecordedUnit("ksi").value().si / 6.894757e6, 1, kPrinted);
   EXPECT_NEAR(ParseRecordedUnit("slug").value().si / 14.59390, 1, kPrinted);
-  EXPECT_FALSE(ParseRecordedUnit("lb"));
+  for (const char* pounds : {"lb", "lbs", "Pounds"}) EXPECT_FALSE(ParseRecordedUnit(pounds)) << pounds;
 }
 
 TEST(RecordedUnit, StandsBehindANumber) {

@@ -89,7 +89,7 @@ TEST(StaticLoadsFault, QuantityWithoutName) {
 }
 
 TEST(StaticLoadsFault, UnknownUnit) {
-  EXPECT_THAT(Faults(Replace(kGood, "mm", "inch")), ReportsOnly(kQuantityUnit, 3, {"'inch'", "1"}));
+  EXPECT_THAT(Faults(Replace(kGood, "mm", "inch")), ReportsOnly(kQuantityUnit, 3, {"'inch', did you mean 'in'?", "1"}));
 }
 
 TEST(StaticLoadsFault, MissingUnit) {

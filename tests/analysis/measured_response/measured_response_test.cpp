@@ -266,6 +266,50 @@ TEST(MeasuredResponse, TakesNoRampForAMotionWithoutDwell) {
   EXPECT_THAT(measured->missed, testing::IsEmpty());
 }
 
+/// Dwells of 15 cycles that fade in and out over three, and pauses at rest. `swept`: the second sweeps up to three times
+/// its frequency.
+std::vector<double> DwellsAndPauses(double pause_s, bool swept) {
+  constexpr double kCycles = 15;
+  constexpr double kFade = 3;
+  std::vector<double> post(static_cast<std::size_t>(2 * kRate), 0.0);
+  for (const double frequency : {1.0, 1.5, 3.0, 6.0}) {
+    double phase = 0;
+    while (phase < kCycles) {
+      post.push_back(5e-3 * std::min({1.0, phase / kFade, (kCycles - phase) / kFade}) *
+                     std::sin(2 * std::numbers::pi * phase));
+      phase += frequency / kRate * (swept && frequency == 1.5 ? 1 + 2 * phase / kCycles : 1);
+    }
+    post.insert(post.end(), static_cast<std::size_t>(pause_s * kRate), 0.0);
+  }
+  return post;
+}
+
+TEST(MeasuredResponse, TakesNoPauseForAMotionWithoutDwell) {
+  for (const double pause_s : {0.0, 0.2, 0.7, 1.0, 3.0, 10.0}) {
+    const std::vector<double> post = Noisy(DwellsAndPauses(pause_s, false), 1e-3, 0, 4);
+    Diagnostics diagnostics;
+    const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics,
+                                  {.kind = ExcitationKind::kStepped});
+    ASSERT_TRUE(measured) << diagnostics.Format();
+    EXPECT_EQ(measured->dwells, 4);
+    EXPECT_THAT(measured->missed, testing::IsEmpty()) << pause_s << " s";
+  }
+}
+
+TEST(MeasuredResponse, NamesMotionsWithoutADwellBetweenPauses) {
+  for (const double pause_s : {0.0, 0.2, 1.0, 3.0, 10.0}) {
+    const std::vector<double> post = Noisy(DwellsAndPauses(pause_s, true), 1e-3, 0, 4);
+    Diagnostics diagnostics;
+    const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics,
+                                  {.kind = ExcitationKind::kStepped});
+    ASSERT_TRUE(measured) << diagnostics.Format();
+    EXPECT_EQ(measured->dwells, 3);
+    ASSERT_EQ(measured->missed.size(), 1U) << pause_s << " s";
+    const auto begin = static_cast<int>(2 + 15 + pause_s);
+    EXPECT_THAT(measured->missed[0], testing::HasSubstr("no dwell was found from " + std::to_string(begin)));
+  }
+}
+
 // As one counts: "1 dwell", "1 frequency".
 TEST(MeasuredResponse, OfOneDwellIsInTheSingular) {
   const std::vector<double> post = SteppedSine({4}, 20, kRate);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/experiments/four_post/findings.h"
 #include "identify/study/findings.h"
 #include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
@@ -93,6 +94,16 @@ TEST(StudyAudit, UnitIsNamedByItsRatio) {
   LoadedStudy study = ShippedStudy();
   Scale(study, "s_strut_rear", 25.4);
   EXPECT_THAT(Findings(study).Format(), testing::HasSubstr("inches"));
+}
+
+TEST(StudyAudit, SaysWhichConditionItLacks) {
+  LoadedStudy study = ShippedStudy();
+  Diagnostics found;
+  found.Report(kWheelpanForgotten, {}, {"F_tyre_FL", "25", ""});
+  EXPECT_THAT(NoAuditText(study, found), testing::HasSubstr("correct [wheelpan-forgotten] first"));
+  Sines(study).runs.clear();
+  EXPECT_FALSE(AuditStudy(study));
+  EXPECT_THAT(NoAuditText(study, {}), testing::HasSubstr("nothing that is fitted is a stepped sine"));
 }
 
 TEST(StudyAudit, JsonHasWhatTheTableHas) {

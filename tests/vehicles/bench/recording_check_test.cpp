@@ -225,6 +225,20 @@ TEST(RecordingCheck, TellsDrift) {
                                           Reports(kSignalDrifts, {"force at the turning points"})));
 }
 
+// 3 % of the largest force within a minute.
+TEST(RecordingCheck, TellsADriftOfTheForceBesideTheMotion) {
+  TimeRecording recording = Good();
+  for (std::vector<double>& channel : recording.channels) {
+    const std::vector<double> once(channel.begin(), channel.end() - 1);
+    for (int k = 1; k < 6; ++k) channel.insert(channel.end() - 1, once.begin(), once.end());
+  }
+  recording.end_s = 60;
+  EXPECT_THAT(WarningOf(recording), ReportsNothing());
+  for (std::size_t k = 0; k < recording.samples(); ++k)
+    recording.channels[1][k] += 7.2 * static_cast<double>(k) / static_cast<double>(recording.samples());
+  EXPECT_THAT(WarningOf(recording), ReportsOnly(kSignalDrifts, 0, {"force drifts by 7", "N from begin to end"}));
+}
+
 TEST(RecordingCheck, TellsADeadForceChannel) {
   TimeRecording recording = Good();
   Apply(recording.channels[1], [](double) { return 1.5; });

@@ -45,6 +45,21 @@ TEST(LvmFile, HasOneColumnOfTimesNoneOrOneAChannel) {
   }
 }
 
+// A tab behind the key, or nothing at all.
+TEST(LvmFile, MayHaveKeysWithoutAValue) {
+  for (const char* nothing : {"", "\t", "\t\t\t"}) {
+    const std::string keys = std::string("Operator") + nothing + "\nDate" + nothing + "\nTime" + nothing + "\n";
+    std::string head = Replace(kHead, "X_Columns", keys + "X_Columns");
+    head = Replace(head, "Description\trig 4", std::string("Description") + nothing);
+    const std::string part = Replace(Replace(kPart, "X_Dimension", keys + "X_Dimension"), "X0\t0.0E+0\t0.0E+0\t",
+                                     std::string("X0") + nothing);
+    const Recording recording = ReadBytes(head + part + "X_Value\tF\tz\n0\t1\t2\n0.001\t3\t4\n0.002\t5\t6\n");
+    EXPECT_EQ(recording.description, "");
+    EXPECT_EQ(recording.channels[1].unit, "mm");
+    EXPECT_THAT(recording.channels[1].values, ElementsAre(2, 4, 6));
+  }
+}
+
 TEST(LvmFile, HasDecimalCommas) {
   std::string head = kHead;
   head = Replace(head, "Decimal_Separator\t.", "Decimal_Separator\t,");
