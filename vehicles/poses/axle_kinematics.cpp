@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fourpost {
 namespace {
@@ -71,6 +72,53 @@ class AxleOnRig {
     for (AxleTravel& travel : kinematics.travels) Travel(filled, travel);
     kinematics.compliance = Compliance();
     return kinematics;
+  }
+
+  std::vector<std::optional<AxleStation>> At(const AxleTravel& travel, std::span<const double> travels,
+                                             const StationWants& wants) {
+    std::vector<std::optional<AxleStation>> stations(travels.size());
+    if (!rig_.Tangent(design_, RiseOf(travel, 1))) return stations;
+    if (wants.rates) struts_ = AllStruts(vehicle_);
+    std::vector<std::size_t> order(travels.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return std::abs(travels[a]) < std::abs(travels[b]); });
+    // Of rebound and of bump.
+    SuspensionRig::Pose reached[2] = {design_, design_};
+    for (const std::size_t i : order) {
+      SuspensionRig::Pose& pose = reached[travels[i] > 0 ? 1 : 0];
+      const Eigen::VectorXd wanted = RiseOf(travel, travels[i]);
+      if (pose.rise != wanted) pose = rig_.Move(pose, wanted);
+      if (pose.rise == wanted) stations[i] = StationAt(travel, travels[i], pose, wants);
+    }
+    return stations;
+  }
+
+  std::vector<AxleCompliance> Compliance() {
+    // Of a rad or metre per newton: far below any rubber, and far above rounding.
+    constexpr double kYields = 1e-13;
+    std::vector<AxleCompliance> all;
+    if (rig_.IsRigid(design_)) return all;
+    bool yields = false;
+    for (const WheelLoad load : {WheelLoad::kLateral, WheelLoad::kBraking, WheelLoad::kDriving, WheelLoad::kAligning})
+      for (const bool opposed : {false, true}) {
+        if (opposed && !HasTwoSides()) continue;
+        Eigen::VectorXd factors = Eigen::VectorXd::Zero(static_cast<Index>(suspension_.wheels.size()));
+        for (std::size_t k = 0; k < axle_.wheels.size(); ++k)
+          factors[static_cast<Index>(axle_.wheels[k])] = opposed ? Side(k) : 1;
+        const std::optional<Eigen::VectorXd> motion = rig_.Yield(design_, load, factors);
+        if (!motion) continue;
+        const fourpost::Kinematics place = rig_.At(design_);
+        AxleCompliance compliance{.load = load, .is_opposed = opposed, .wheels = {}};
+        for (std::size_t k = 0; k < axle_.wheels.size(); ++k) {
+          compliance.wheels.push_back(WheelRateOf(TyreOf(k), Side(k), place, *motion));
+          const WheelPlace& wheel = compliance.wheels.back();
+          yields = yields || std::max({std::abs(wheel.camber), std::abs(wheel.steer), wheel.centre.norm()}) > kYields;
+        }
+        all.push_back(std::move(compliance));
+      }
+    if (!yields) all.clear();
+    return all;
   }
 
  private:
@@ -155,11 +203,13 @@ class AxleOnRig {
     return end;
   }
 
-  AxleStation StationAt(const AxleTravel& travel, double size, const SuspensionRig::Pose& pose) {
+  AxleStation StationAt(const AxleTravel& travel, double size, const SuspensionRig::Pose& pose,
+                        const StationWants& wants = {}) {
     AxleStation station{.travel = size};
-    const Eigen::VectorXd motion = rig_.Tangent(pose, RiseOf(travel, 1)).value();
+    const Eigen::VectorXd motion = wants.rates ? rig_.Tangent(pose, RiseOf(travel, 1)).value()
+                                               : Eigen::VectorXd(Eigen::VectorXd::Zero(pose.rest.q.size()));
     std::optional<Eigen::VectorXd> roll;
-    if (HasTwoSides() && travel.kind == AxleTravel::Kind::kHeave)
+    if (wants.roll_centre && HasTwoSides() && travel.kind == AxleTravel::Kind::kHeave)
       roll = rig_.Tangent(pose, RiseOf({.kind = AxleTravel::Kind::kRoll, .stations = {}}, 1));
     const Eigen::VectorXd loads = rig_.PadForces(pose);
     const fourpost::Kinematics place = rig_.At(pose);
@@ -234,33 +284,6 @@ class AxleOnRig {
     return std::abs(here - there);
   }
 
-  std::vector<AxleCompliance> Compliance() {
-    // Of a rad or metre per newton: far below any rubber, and far above rounding.
-    constexpr double kYields = 1e-13;
-    std::vector<AxleCompliance> all;
-    if (rig_.IsRigid(design_)) return all;
-    bool yields = false;
-    for (const WheelLoad load : {WheelLoad::kLateral, WheelLoad::kBraking, WheelLoad::kDriving, WheelLoad::kAligning})
-      for (const bool opposed : {false, true}) {
-        if (opposed && !HasTwoSides()) continue;
-        Eigen::VectorXd factors = Eigen::VectorXd::Zero(static_cast<Index>(suspension_.wheels.size()));
-        for (std::size_t k = 0; k < axle_.wheels.size(); ++k)
-          factors[static_cast<Index>(axle_.wheels[k])] = opposed ? Side(k) : 1;
-        const std::optional<Eigen::VectorXd> motion = rig_.Yield(design_, load, factors);
-        if (!motion) continue;
-        const fourpost::Kinematics place = rig_.At(design_);
-        AxleCompliance compliance{.load = load, .is_opposed = opposed, .wheels = {}};
-        for (std::size_t k = 0; k < axle_.wheels.size(); ++k) {
-          compliance.wheels.push_back(WheelRateOf(TyreOf(k), Side(k), place, *motion));
-          const WheelPlace& wheel = compliance.wheels.back();
-          yields = yields || std::max({std::abs(wheel.camber), std::abs(wheel.steer), wheel.centre.norm()}) > kYields;
-        }
-        all.push_back(std::move(compliance));
-      }
-    if (!yields) all.clear();
-    return all;
-  }
-
   SuspensionRig& rig_;
   const Vehicle& vehicle_;
   const Suspension& suspension_;
@@ -304,6 +327,16 @@ const char* LoadName(WheelLoad load) {
     case WheelLoad::kAligning: return "aligning";
   }
   return "";
+}
+
+std::vector<std::optional<AxleStation>> StationsAt(SuspensionRig& rig, std::size_t axle,
+                                                   std::span<const double> parameters, const AxleTravel& travel,
+                                                   std::span<const double> travels, const StationWants& wants) {
+  return AxleOnRig(rig, axle, parameters).At(travel, travels, wants);
+}
+
+std::vector<AxleCompliance> ComplianceOf(SuspensionRig& rig, std::size_t axle, std::span<const double> parameters) {
+  return AxleOnRig(rig, axle, parameters).Compliance();
 }
 
 std::vector<AxleKinematics> KinematicsOf(SuspensionRig& rig, std::span<const double> parameters,
