@@ -19,25 +19,6 @@ int SideOf(const Wheel& wheel) {
   return wheel.foot.y() < -kAside_m ? -1 : 1;
 }
 
-std::vector<AxleStrut> AllStruts(const Vehicle& vehicle) {
-  using Kind = AxleStrut::Kind;
-  std::vector<AxleStrut> struts;
-  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
-    const Spring& spring = vehicle.springs[i];
-    const Kind kind = spring.kind == Spring::Kind::kCoil   ? Kind::kSpring
-                      : spring.kind == Spring::Kind::kStop ? Kind::kStop
-                                                           : Kind::kGas;
-    struts.push_back({kind, i, spring.name});
-  }
-  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
-    struts.push_back({Kind::kDamper, i, vehicle.dampers[i].name});
-  for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i)
-    struts.push_back({Kind::kAntiRollBar, i, vehicle.antiroll_bars[i].name});
-  std::stable_sort(struts.begin(), struts.end(),
-                   [](const AxleStrut& a, const AxleStrut& b) { return a.kind < b.kind; });
-  return struts;
-}
-
 Coordinate LengthOf(const Vehicle& vehicle, const AxleStrut& strut, const Kinematics& pose) {
   switch (strut.kind) {
     case AxleStrut::Kind::kDamper: return pose.LineLength(vehicle.dampers[strut.index].line);
@@ -62,7 +43,7 @@ class AxleOnRig {
     std::vector<AxleTravel> travels = Travels();
     for (AxleTravel& travel : travels)
       if (rig_.Tangent(design_, RiseOf(travel, 1))) kinematics.travels.push_back(std::move(travel));
-    for (const AxleStrut& strut : AllStruts(vehicle_))
+    for (const AxleStrut& strut : StrutsOf(vehicle_))
       if (IsMoved(strut, kinematics.travels)) kinematics.struts.push_back(strut);
     struts_ = kinematics.struts;
     if (kinematics.travels.empty()) return kinematics;
@@ -78,7 +59,7 @@ class AxleOnRig {
                                              const StationWants& wants) {
     std::vector<std::optional<AxleStation>> stations(travels.size());
     if (!rig_.Tangent(design_, RiseOf(travel, 1))) return stations;
-    if (wants.rates) struts_ = AllStruts(vehicle_);
+    if (wants.rates) struts_ = StrutsOf(vehicle_);
     std::vector<std::size_t> order(travels.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
@@ -327,6 +308,25 @@ const char* LoadName(WheelLoad load) {
     case WheelLoad::kAligning: return "aligning";
   }
   return "";
+}
+
+std::vector<AxleStrut> StrutsOf(const Vehicle& vehicle) {
+  using Kind = AxleStrut::Kind;
+  std::vector<AxleStrut> struts;
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    const Spring& spring = vehicle.springs[i];
+    const Kind kind = spring.kind == Spring::Kind::kCoil   ? Kind::kSpring
+                      : spring.kind == Spring::Kind::kStop ? Kind::kStop
+                                                           : Kind::kGas;
+    struts.push_back({kind, i, spring.name});
+  }
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
+    struts.push_back({Kind::kDamper, i, vehicle.dampers[i].name});
+  for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i)
+    struts.push_back({Kind::kAntiRollBar, i, vehicle.antiroll_bars[i].name});
+  std::stable_sort(struts.begin(), struts.end(),
+                   [](const AxleStrut& a, const AxleStrut& b) { return a.kind < b.kind; });
+  return struts;
 }
 
 std::vector<std::optional<AxleStation>> StationsAt(SuspensionRig& rig, std::size_t axle,

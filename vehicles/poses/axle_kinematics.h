@@ -85,6 +85,9 @@ struct AxleStrut {
 };
 const char* KindName(AxleStrut::Kind kind);
 
+/// Of a vehicle, by kind.
+std::vector<AxleStrut> StrutsOf(const Vehicle& vehicle);
+
 /// Response of the wheels of an axle to one load; per N, or N m of an aligning torque.
 struct AxleCompliance {
   WheelLoad load = WheelLoad::kLateral;
@@ -131,7 +134,7 @@ struct StationWants {
 };
 
 /// One axle at these travels [m], in their order; empty where the wheels cannot go there. `travel`: its kind and wheel.
-/// The way to each leads from the design pose through those between.
+/// The way to each leads from the design pose through those between. Lengths and ratios are those of StrutsOf().
 std::vector<std::optional<AxleStation>> StationsAt(SuspensionRig& rig, std::size_t axle,
                                                    std::span<const double> parameters, const AxleTravel& travel,
                                                    std::span<const double> travels, const StationWants& wants);
