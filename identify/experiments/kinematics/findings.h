@@ -28,7 +28,8 @@ inline const Finding kKinematicOffset{"kinematics-offset", Severity::kError,
                                       "'offset' must be 'free' or a list of quantities",
                                       "write `offset: free`, or [camber, toe]"};
 inline const Finding kKinematicOffsetOfNone{"kinematics-offset-of-none", Severity::kError,
-                                            "'offset' names '{}', which 'noise' does not", "name it in both, or in none"};
+                                            "'offset' names '{}', which 'noise' does not",
+                                            "name it in both, or in none"};
 
 // The vehicle.
 
@@ -45,8 +46,7 @@ inline const Finding kKinematicMotionUnknown{
 inline const Finding kKinematicWheelUnknown{"kinematics-wheel-unknown", Severity::kError,
                                             "axle '{}' has no wheel '{}'{}", "correct the name"};
 inline const Finding kKinematicNotReached{
-    "kinematics-not-reached", Severity::kError,
-    "the suspension of axle '{}' reaches no {} of {}, which '{}' has",
+    "kinematics-not-reached", Severity::kError, "the suspension of axle '{}' reaches no {} of {}, which '{}' has",
     "correct its points if the car travels as far, else cut the table, and check unit and sign of the travel"};
 inline const Finding kKinematicRigid{"kinematics-rigid", Severity::kError,
                                      "'{}' measures how axle '{}' yields, and nothing of its linkage does",
@@ -57,9 +57,8 @@ inline const Finding kKinematicNotOfVehicle{"kinematics-not-of-vehicle", Severit
 
 // Tables.
 
-inline const Finding kKinematicPositionMissing{
-    "kinematics-position-missing", Severity::kError, "no column '{}'",
-    "name the column in the study, as `{}: {channel: NAME, unit: {}}`"};
+inline const Finding kKinematicPositionMissing{"kinematics-position-missing", Severity::kError, "no column '{}'",
+                                               "name the column in the study, as `{}: {channel: NAME, unit: {}}`"};
 inline const Finding kKinematicQuantityMissing{
     "kinematics-quantity-missing", Severity::kError, "'noise' names '{}', and '{}' has no such column with numbers",
     "map one by 'channels', as {}: NAME, or remove it from 'noise'; the columns are {}"};

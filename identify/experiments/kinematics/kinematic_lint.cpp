@@ -28,7 +28,7 @@ void ReportRefusal(const KinematicAnswer::Refusal& refusal, std::span<const Kine
     case Kind::kNotThere:
       return diagnostics.Report(
           kKinematicNotOfVehicle, place,
-          {sweep.axle_name, std::string(refusal.curve->quantity->name), sweep.motion, sweep.recording});
+          {sweep.axle_name, std::string(sweep.curves[refusal.curve].quantity->name), sweep.motion, sweep.recording});
   }
 }
 
@@ -59,10 +59,10 @@ void LintKinematicOffsets(std::span<const KinematicMisfit> misfits, const std::s
     const double mean = (measured - one.modelled).mean();
     if (mean * mean < kShare * one.rms * one.rms) continue;
     const std::string name(one.curve->quantity->name);
-    diagnostics.Report(kKinematicConstantOff, {study, one.sweep->line},
-                       {name, one.curve->of_name, one.sweep->recording,
-                        WithUnit(mean, std::string(one.curve->quantity->unit)),
-                        Rounded(std::abs(mean) / one.curve->sd, 2), name});
+    diagnostics.Report(
+        kKinematicConstantOff, {study, one.sweep->line},
+        {name, one.curve->of_name, one.sweep->recording, WithUnit(mean, std::string(one.curve->quantity->unit)),
+         Rounded(std::abs(mean) / one.curve->sd, 2), name});
   }
 }
 

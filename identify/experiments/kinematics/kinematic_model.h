@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "analysis/process/deadline.h"
 #include "identify/experiments/kinematics/kinematic_sweep.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/poses/one_axle.h"
 
 namespace fourpost {
 
@@ -23,15 +26,39 @@ struct KinematicAnswer {
     std::size_t sweep = 0;
     /// Travel that is not reached [m].
     double position = 0;
-    const KinematicCurve* curve = nullptr;
+    /// Of what the vehicle has not.
+    std::size_t curve = 0;
   };
   std::optional<Refusal> refusal;
 };
 
-/// In full geometry, with points where `values` have them. Compliance is that of the design pose, proportional to the
-/// load. Throws FaultyInput if the vehicle cannot be assembled or held, and TimedOut.
-KinematicAnswer AnswerKinematics(const Vehicle& vehicle, std::span<const KinematicSweep> sweeps,
-                                 const std::vector<double>& values, const Deadline& deadline = {});
+/// Axles of a vehicle on a rig, in full geometry. Immutable; one object serves any number of threads.
+class KinematicModel {
+ public:
+  /// Throws FaultyInput if the vehicle cannot be assembled or held.
+  KinematicModel(const Vehicle& vehicle, std::vector<KinematicSweep> sweeps);
+
+  const std::vector<KinematicSweep>& sweeps() const { return sweeps_; }
+
+  /// With points where `values` have them [SI, order of Vehicle::parameters]. Compliance is that of the design pose,
+  /// proportional to the load. Throws FaultyInput if the vehicle cannot be assembled or held there, and TimedOut.
+  KinematicAnswer At(const std::vector<double>& values, const Deadline& deadline = {}) const;
+
+ private:
+  class Evaluation;
+
+  Preloads PreloadsAt(const std::vector<double>& values) const;
+
+  Vehicle vehicle_;
+  std::vector<KinematicSweep> sweeps_;
+  /// Of each axle that is measured what the rig needs; its place there is 0, but where nothing was left out.
+  std::map<std::size_t, OneAxle> axles_;
+  std::map<std::size_t, std::size_t> place_in_;
+  /// Of each sweep and curve, place in AxleStation::wheels, lengths or ratios of that axle alone.
+  std::vector<std::vector<std::size_t>> of_;
+  /// At the points as drawn; null where parameters move them.
+  std::shared_ptr<const CondensedVehicle> condensed_;
+};
 
 /// What was measured less the model: the offset that fits a curve best, where it has one; else 0.
 double FittedOffset(const KinematicCurve& curve, const Eigen::VectorXd& modelled);

@@ -72,7 +72,8 @@ class PlanReader {
       const std::optional<double> sd = noise.Quantity(key, quantity->dimension, 0);
       if (sd && *sd == 0) noise.FaultOf(key, kKeyNotPositive);
       // A bare number would be taken for radians.
-      if (sd && quantity->unit == "deg" && ParseQuantity(noise.Text(key).value_or("")).value_or(Quantity()).unit_text.empty())
+      if (sd && quantity->unit == "deg" &&
+          ParseQuantity(noise.Text(key).value_or("")).value_or(Quantity()).unit_text.empty())
         noise.Fault(node[key], kKinematicAngleUnit, {key});
       plan_.noise.push_back({quantity, sd.value_or(1)});
     }

@@ -21,16 +21,16 @@ std::string CurveTableHtml(const std::vector<nlohmann::json>& curves) {
     const auto number = [&](const char* key) {
       return html::NumberCell(ShownNumber(NumberAt(curve, key), 3) + (unit.empty() ? "" : " " + unit));
     };
-    rows.push_back({html::TextCell(TextAt(curve, "recording") +
-                                   (TextAt(curve, "use") == "validation" ? " (validation)" : "")),
-                    html::TextCell(TextAt(curve, "motion")),
-                    html::TextCell(TextAt(curve, "quantity")),
-                    {html::Code(TextAt(curve, "of")), ""},
-                    html::NumberCell(ShownDecimals(NumberAt(curve, "points"), 0)),
-                    number("rms"),
-                    number("noise"),
-                    html::NumberCell(ShownDecimals(NumberAt(curve, "misfit"), 2)),
-                    curve.contains("offset") ? number("offset") : html::NumberCell("")});
+    rows.push_back(
+        {html::TextCell(TextAt(curve, "recording") + (TextAt(curve, "use") == "validation" ? " (validation)" : "")),
+         html::TextCell(TextAt(curve, "motion")),
+         html::TextCell(TextAt(curve, "quantity")),
+         {html::Code(TextAt(curve, "of")), ""},
+         html::NumberCell(ShownDecimals(NumberAt(curve, "points"), 0)),
+         number("rms"),
+         number("noise"),
+         html::NumberCell(ShownDecimals(NumberAt(curve, "misfit"), 2)),
+         curve.contains("offset") ? number("offset") : html::NumberCell("")});
   }
   return html::Table({"table", "motion", "quantity", "of", "points", "rms error", "noise", "misfit", "fitted offset"},
                      rows);

@@ -1,21 +1,20 @@
 #include "identify/experiments/kinematics/kinematic_residuals.h"
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
-
-#include "identify/experiments/kinematics/kinematic_model.h"
 
 namespace fourpost {
 namespace {
 
-Evaluation Evaluate(const Vehicle& vehicle, const std::vector<KinematicSweep>& sweeps, Eigen::Index count,
-                    const std::vector<double>& values, const Deadline& deadline) {
-  const KinematicAnswer answer = AnswerKinematics(vehicle, sweeps, values, deadline);
+Evaluation Evaluate(const KinematicModel& model, Eigen::Index count, const std::vector<double>& values,
+                    const Deadline& deadline) {
+  const std::vector<KinematicSweep>& sweeps = model.sweeps();
+  const KinematicAnswer answer = model.At(values, deadline);
   if (answer.refusal) {
     const KinematicSweep& sweep = sweeps[answer.refusal->sweep];
-    return Infeasible(1, "axle '" + sweep.axle_name + "' cannot follow " + sweep.motion + " of '" + sweep.recording + "'");
+    return Infeasible(1,
+                      "axle '" + sweep.axle_name + "' cannot follow " + sweep.motion + " of '" + sweep.recording + "'");
   }
   Evaluation evaluation;
   evaluation.residuals.resize(count);
@@ -45,11 +44,11 @@ Eigen::VectorXd CurveResiduals(const KinematicCurve& curve, const Eigen::VectorX
   return contrasts;
 }
 
-ResidualBlock KinematicResiduals(const Vehicle& vehicle, std::vector<KinematicSweep> sweeps) {
+ResidualBlock KinematicResiduals(std::shared_ptr<const KinematicModel> model) {
   ResidualPartition quantities = {"rig quantities", {}, {}};
   ResidualStructure structure;
   Eigen::Index count = 0;
-  for (const KinematicSweep& sweep : sweeps)
+  for (const KinematicSweep& sweep : model->sweeps())
     for (const KinematicCurve& curve : sweep.curves) {
       const auto degrees = static_cast<Eigen::Index>(curve.degrees());
       quantities.Add(std::string(curve.quantity->name), degrees);
@@ -61,9 +60,8 @@ ResidualBlock KinematicResiduals(const Vehicle& vehicle, std::vector<KinematicSw
           .count = count,
           // Poses at rest are found to 1e-11 m and rad, which is this share of what rigs measure.
           .accuracy = 1e-8,
-          .evaluate = [vehicle = std::make_shared<const Vehicle>(vehicle), sweeps = std::move(sweeps), count](
-                          const std::vector<double>& values,
-                          const Deadline& deadline) { return Evaluate(*vehicle, sweeps, count, values, deadline); },
+          .evaluate = [model, count](const std::vector<double>& values,
+                                     const Deadline& deadline) { return Evaluate(*model, count, values, deadline); },
           .structure = std::move(structure)};
 }
 

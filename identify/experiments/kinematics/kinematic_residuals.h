@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include <Eigen/Core>
 
-#include "identify/experiments/kinematics/kinematic_sweep.h"
+#include "identify/experiments/kinematics/kinematic_model.h"
 #include "identify/residuals/residual_block.h"
 
 namespace fourpost {
@@ -15,6 +15,6 @@ namespace fourpost {
 Eigen::VectorXd CurveResiduals(const KinematicCurve& curve, const Eigen::VectorXd& modelled);
 
 /// Of all sweeps. Infeasible where the suspension cannot go as far.
-ResidualBlock KinematicResiduals(const Vehicle& vehicle, std::vector<KinematicSweep> sweeps);
+ResidualBlock KinematicResiduals(std::shared_ptr<const KinematicModel> model);
 
 }  // namespace fourpost

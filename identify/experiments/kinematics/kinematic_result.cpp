@@ -38,7 +38,8 @@ std::vector<KinematicMisfit> KinematicMisfits(std::span<const KinematicSweep> sw
 
 std::string KinematicTable(std::span<const KinematicMisfit> misfits) {
   if (misfits.empty()) return "";
-  TextTable table({"rig table", "motion", "quantity", "of", "unit", "points", "rms error", "noise", "misfit", "offset"});
+  TextTable table(
+      {"rig table", "motion", "quantity", "of", "unit", "points", "rms error", "noise", "misfit", "offset"});
   for (const KinematicMisfit& one : misfits) {
     const std::string unit = UnitOf(*one.curve);
     table.Add({one.sweep->recording + (one.sweep->is_validation ? " (validation)" : ""), one.sweep->motion,

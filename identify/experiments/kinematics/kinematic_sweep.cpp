@@ -1,7 +1,6 @@
 #include "identify/experiments/kinematics/kinematic_sweep.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -11,15 +10,12 @@
 #include "analysis/text/nearest.h"
 #include "identify/experiments/kinematics/findings.h"
 #include "identify/experiments/kinematics/kinematic_column.h"
-#include "vehicles/loops/design_kinematics.h"
+#include "identify/experiments/kinematics/measured_axles.h"
 
 namespace fourpost {
 namespace {
 
 using Of = KinematicQuantity::Of;
-
-constexpr std::array<WheelLoad, 4> kLoads = {WheelLoad::kLateral, WheelLoad::kBraking, WheelLoad::kDriving,
-                                             WheelLoad::kAligning};
 
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
@@ -40,14 +36,7 @@ struct ReadColumn {
 class SweepReader {
  public:
   SweepReader(const KinematicPlan& plan, const RecordedTable& table, const Vehicle& vehicle, Diagnostics& diagnostics)
-      : plan_(plan),
-        table_(table),
-        diagnostics_(diagnostics),
-        suspension_(SuspensionOf(vehicle, DesignKinematics(vehicle), vehicle.ParameterValues())),
-        struts_(StrutsOf(vehicle)),
-        columns_(KinematicColumns(table)) {
-    for (const Axle& axle : suspension_.axles) axle_names_.push_back(axle.name);
-  }
+      : plan_(plan), table_(table), diagnostics_(diagnostics), axles_(vehicle), columns_(KinematicColumns(table)) {}
 
   std::vector<KinematicSweep> Read() {
     FindRowColumns();
@@ -95,9 +84,8 @@ class SweepReader {
     if (is_pure) return 1;
     const std::string written = table_.names()[column.index];
     if (text.empty() || !known || known->dimension != dimension) {
-      Fault(kKinematicColumnUnit,
-            {written, text.empty() ? "no unit" : "the unit '" + text + "'", example.empty() ? "none" : "one such as " + example,
-             written, example});
+      Fault(kKinematicColumnUnit, {written, text.empty() ? "no unit" : "the unit '" + text + "'",
+                                   example.empty() ? "none" : "one such as " + example, written, example});
       return 1;
     }
     return known->si;
@@ -107,12 +95,6 @@ class SweepReader {
     for (const KinematicColumn& column : columns_)
       if (table_.names()[column.index] == name) return column;
     Fault(kKinematicChannelMissing, {FileName(), name, DidYouMeanOrAll(name, table_.names())});
-    return std::nullopt;
-  }
-
-  static std::optional<WheelLoad> LoadNamed(const std::string& name) {
-    for (const WheelLoad load : kLoads)
-      if (name == LoadName(load)) return load;
     return std::nullopt;
   }
 
@@ -138,38 +120,20 @@ class SweepReader {
     position_ = FindKinematicColumn(columns_, name, false);
     if (position_) position_factor_ = FactorOf(*position_, "", dimension, example);
     else if (load) per_column_ = FindKinematicColumn(columns_, "per", true);
-    if (!position_ && !per_column_)
-      Fault(kKinematicPositionMissing, {name, load ? "force" : "travel", example});
+    if (!position_ && !per_column_) Fault(kKinematicPositionMissing, {name, load ? "force" : "travel", example});
   }
 
   void Take(const KinematicColumn& column, const KinematicPlan::Noise& noise, const std::string& of,
             const SourceChannel* source) {
     const KinematicQuantity& quantity = *noise.quantity;
     ReadColumn read{.column = column, .noise = &noise, .of = of};
-    read.factor = (source ? source->factor : 1) * FactorOf(column, source ? source->unit : "", quantity.dimension,
-                                                           std::string(quantity.unit));
+    read.factor = (source ? source->factor : 1) *
+                  FactorOf(column, source ? source->unit : "", quantity.dimension, std::string(quantity.unit));
     const bool is_of_row = quantity.of == Of::kWheel ? wheel_column_.has_value() : strut_column_.has_value();
-    if (of.empty() && quantity.of != Of::kAxle && !is_of_row && !IsOfOne(quantity))
+    if (of.empty() && quantity.of != Of::kAxle && !is_of_row && !(quantity.of == Of::kWheel && axles_.HaveOneWheel()))
       Fault(kKinematicWheelOpen, {table_.names()[column.index], quantity.of == Of::kWheel ? "wheel" : "strut",
                                   std::string(quantity.name), table_.names()[column.index]});
     read_.push_back(std::move(read));
-  }
-
-  /// Whether every axle has one wheel only.
-  bool IsOfOne(const KinematicQuantity& quantity) const {
-    return quantity.of == Of::kWheel && std::all_of(suspension_.axles.begin(), suspension_.axles.end(),
-                                                    [](const Axle& axle) { return axle.wheels.size() == 1; });
-  }
-
-  /// Whether a name says a wheel or strut of the vehicle.
-  bool IsKnown(const KinematicQuantity& quantity, const std::string& of) const {
-    if (of.empty()) return true;
-    if (quantity.of == Of::kAxle) return false;
-    if (quantity.of == Of::kStrut)
-      return std::any_of(struts_.begin(), struts_.end(), [&](const AxleStrut& strut) { return strut.name == of; });
-    return of == "left" || of == "right" ||
-           std::any_of(suspension_.wheels.begin(), suspension_.wheels.end(),
-                       [&](const Wheel& wheel) { return wheel.name == of; });
   }
 
   const KinematicPlan::Noise* NoiseOf(const std::string& quantity) const {
@@ -182,10 +146,11 @@ class SweepReader {
   void FindQuantities() {
     for (const auto& [name, source] : plan_.channels) {
       const std::optional<QuantityName> parsed = ParseQuantityName(name);
-      if (!parsed || !IsKnown(*FindKinematicQuantity(parsed->quantity), parsed->of)) {
+      if (!parsed || !axles_.IsKnown(*FindKinematicQuantity(parsed->quantity), parsed->of)) {
         std::vector<std::string> legal;
         for (const KinematicPlan::Noise& noise : plan_.noise) legal.emplace_back(noise.quantity->name);
-        diagnostics_.Report(kKinematicQuantityUnknown, {plan_.study, source.line}, {name, DidYouMeanOrAll(name, legal)});
+        diagnostics_.Report(kKinematicQuantityUnknown, {plan_.study, source.line},
+                            {name, DidYouMeanOrAll(name, legal)});
         is_faulty_ = true;
         continue;
       }
@@ -197,7 +162,7 @@ class SweepReader {
     for (const KinematicColumn& column : columns_) {
       const std::optional<QuantityName> parsed = ParseQuantityName(column.name);
       const KinematicPlan::Noise* noise = parsed && !column.is_text ? NoiseOf(parsed->quantity) : nullptr;
-      if (!noise || !IsKnown(*noise->quantity, parsed->of)) continue;
+      if (!noise || !axles_.IsKnown(*noise->quantity, parsed->of)) continue;
       const bool is_mapped = std::any_of(read_.begin(), read_.end(), [&](const ReadColumn& read) {
         return read.noise == noise && (read.of == parsed->of || read.column.index == column.index);
       });
@@ -263,66 +228,26 @@ class SweepReader {
                          .is_validation = plan_.is_validation,
                          .line = plan_.line,
                          .axle = *index,
-                         .axle_name = axle_names_[*index],
-                         .motion = motion};
-    if (!SetMotion(motion, is_opposed, sweep)) return nullptr;
+                         .axle_name = axles_.names()[*index]};
+    if (motion.empty()) {
+      Fault(kKinematicMotionOpen, {});
+      return nullptr;
+    }
+    if (!axles_.SetMotion(motion, is_opposed, sweep)) {
+      Fault(kKinematicMotionUnknown, {sweep.axle_name, motion, DidYouMean(motion, axles_.MotionsOf(*index))});
+      return nullptr;
+    }
     sweeps_.push_back(std::move(sweep));
     return &sweeps_.back();
   }
 
   std::optional<std::size_t> AxleNamed(const std::string& name) {
-    if (name.empty() && axle_names_.size() == 1) return 0;
-    if (name.empty()) {
-      Fault(kKinematicAxleOpen, {Joined(axle_names_)});
-      return std::nullopt;
-    }
-    const auto found = std::find(axle_names_.begin(), axle_names_.end(), name);
-    if (found != axle_names_.end()) return static_cast<std::size_t>(found - axle_names_.begin());
-    Fault(kKinematicAxleUnknown, {name, DidYouMeanOrAll(name, axle_names_)});
-    return std::nullopt;
-  }
-
-  bool SetMotion(const std::string& motion, bool is_opposed, KinematicSweep& sweep) {
-    const Axle& axle = suspension_.axles[sweep.axle];
-    sweep.travel.name = motion;
-    if (motion.empty()) {
-      Fault(kKinematicMotionOpen, {});
-      return false;
-    }
-    if (const std::optional<WheelLoad> load = LoadNamed(motion)) {
-      sweep.load = KinematicSweep::Load{*load, is_opposed};
-      if (is_opposed) sweep.motion += " opposed";
-      return true;
-    }
-    if (motion == "heave" || (motion == "roll" && axle.HasTwoSides(suspension_.wheels))) {
-      sweep.travel.kind = motion == "heave" ? AxleTravel::Kind::kHeave : AxleTravel::Kind::kRoll;
-      return true;
-    }
-    if (const std::optional<std::size_t> wheel = WheelNamed(motion, axle)) {
-      sweep.travel.kind = AxleTravel::Kind::kWheel;
-      sweep.travel.wheel = *wheel;
-      sweep.motion = suspension_.wheels[axle.wheels[*wheel]].name;
-      return true;
-    }
-    std::vector<std::string> legal = {"heave", "roll"};
-    for (const WheelLoad load : kLoads) legal.emplace_back(LoadName(load));
-    for (const std::size_t i : axle.wheels) legal.push_back(suspension_.wheels[i].name);
-    Fault(kKinematicMotionUnknown, {axle.name, motion, DidYouMean(motion, legal)});
-    return false;
-  }
-
-  /// By its name, or as the only one on its side.
-  std::optional<std::size_t> WheelNamed(const std::string& name, const Axle& axle) const {
-    const int side = name == "left" ? 1 : name == "right" ? -1 : 0;
-    std::optional<std::size_t> found;
-    for (std::size_t k = 0; k < axle.wheels.size(); ++k) {
-      const Wheel& wheel = suspension_.wheels[axle.wheels[k]];
-      if (wheel.name == name) return k;
-      if (side == 0 || wheel.side != side) continue;
-      if (found) return std::nullopt;
-      found = k;
-    }
-    return found;
+    const std::vector<std::string>& names = axles_.names();
+    if (name.empty() && names.size() == 1) return 0;
+    const std::optional<std::size_t> axle = axles_.AxleNamed(name);
+    if (name.empty()) Fault(kKinematicAxleOpen, {Joined(names)});
+    else if (!axle) Fault(kKinematicAxleUnknown, {name, DidYouMeanOrAll(name, names)});
+    return axle;
   }
 
   void AddPoint(std::size_t row, const ReadColumn& read, double position, KinematicSweep& sweep) {
@@ -330,23 +255,22 @@ class SweepReader {
     if (sweep.load && !quantity.yields) return;
     const std::optional<double> value = NumberAt(row, read.column.index, read.factor);
     if (!value) return;
-    const Axle& axle = suspension_.axles[sweep.axle];
     std::size_t of = 0;
-    std::string name = axle.name;
+    std::string name = sweep.axle_name;
     if (quantity.of == Of::kWheel) {
       const std::string wheel = !read.of.empty() ? read.of : TextAt(row, wheel_column_);
-      const std::optional<std::size_t> found = wheel.empty() ? std::optional<std::size_t>(0) : WheelNamed(wheel, axle);
+      const std::optional<std::size_t> found =
+          wheel.empty() ? std::optional<std::size_t>(0) : axles_.WheelNamed(wheel, sweep.axle);
       // A column of another axle's wheel.
       if (!found && !read.of.empty()) return;
-      if (!found) return RowFault(kKinematicWheelUnknown, row, {axle.name, wheel, ""});
+      if (!found) return RowFault(kKinematicWheelUnknown, row, {sweep.axle_name, wheel, ""});
       of = *found;
-      name = suspension_.wheels[axle.wheels[of]].name;
+      name = axles_.WheelName(of, sweep.axle);
     } else if (quantity.of == Of::kStrut) {
       name = !read.of.empty() ? read.of : TextAt(row, strut_column_);
-      const auto found =
-          std::find_if(struts_.begin(), struts_.end(), [&](const AxleStrut& strut) { return strut.name == name; });
-      if (found == struts_.end()) return;
-      of = static_cast<std::size_t>(found - struts_.begin());
+      const std::optional<std::size_t> found = axles_.StrutNamed(name);
+      if (!found) return;
+      of = *found;
     } else if (wheel_column_) {
       // What is the axle's stands in the rows of all its wheels.
       const std::string wheel = TextAt(row, wheel_column_);
@@ -377,37 +301,40 @@ class SweepReader {
   }
 
   void CheckCurves() {
+    const auto measures = [](const KinematicPlan::Noise& noise) {
+      return [&noise](const KinematicSweep& sweep) {
+        return std::any_of(sweep.curves.begin(), sweep.curves.end(),
+                           [&](const KinematicCurve& curve) { return curve.quantity == noise.quantity; });
+      };
+    };
     for (const KinematicPlan::Noise& noise : plan_.noise)
-      if (std::none_of(sweeps_.begin(), sweeps_.end(), [&](const KinematicSweep& sweep) {
-            return std::any_of(sweep.curves.begin(), sweep.curves.end(),
-                               [&](const KinematicCurve& curve) { return curve.quantity == noise.quantity; });
-          }) && !is_faulty_)
-        LacksColumn(noise);
-    for (std::size_t s = 0; s < sweeps_.size(); ++s) {
-      KinematicSweep& sweep = sweeps_[s];
-      for (std::size_t c = 0; c < sweep.curves.size(); ++c) {
-        const std::vector<double>& at = position_of_[{s, c}];
-        sweep.positions.insert(sweep.positions.end(), at.begin(), at.end());
-        if (sweep.curves[c].degrees() == 0)
-          Fault(kKinematicOnePoint, {std::string(sweep.curves[c].quantity->name), sweep.curves[c].of_name});
-      }
-      std::sort(sweep.positions.begin(), sweep.positions.end());
-      sweep.positions.erase(std::unique(sweep.positions.begin(), sweep.positions.end()), sweep.positions.end());
-      for (std::size_t c = 0; c < sweep.curves.size(); ++c)
-        for (const double position : position_of_[{s, c}])
-          sweep.curves[c].places.push_back(static_cast<std::size_t>(
-              std::lower_bound(sweep.positions.begin(), sweep.positions.end(), position) - sweep.positions.begin()));
-    }
+      if (!is_faulty_ && std::none_of(sweeps_.begin(), sweeps_.end(), measures(noise))) LacksColumn(noise);
+    for (std::size_t s = 0; s < sweeps_.size(); ++s) PlacePoints(s);
     std::erase_if(sweeps_, [](const KinematicSweep& sweep) { return sweep.curves.empty(); });
+  }
+
+  void PlacePoints(std::size_t s) {
+    KinematicSweep& sweep = sweeps_[s];
+    std::vector<double>& all = sweep.positions;
+    for (std::size_t c = 0; c < sweep.curves.size(); ++c) {
+      const std::vector<double>& at = position_of_[{s, c}];
+      all.insert(all.end(), at.begin(), at.end());
+      if (sweep.curves[c].degrees() == 0)
+        Fault(kKinematicOnePoint, {std::string(sweep.curves[c].quantity->name), sweep.curves[c].of_name});
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (std::size_t c = 0; c < sweep.curves.size(); ++c)
+      for (const double position : position_of_[{s, c}])
+        sweep.curves[c].places.push_back(
+            static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), position) - all.begin()));
   }
 
   const KinematicPlan& plan_;
   const RecordedTable& table_;
   Diagnostics& diagnostics_;
-  Suspension suspension_;
-  std::vector<AxleStrut> struts_;
+  MeasuredAxles axles_;
   std::vector<KinematicColumn> columns_;
-  std::vector<std::string> axle_names_;
   std::optional<KinematicColumn> axle_column_, motion_column_, case_column_, wheel_column_, strut_column_;
   std::optional<KinematicColumn> position_, per_column_;
   double position_factor_ = 1;

@@ -15,13 +15,19 @@ namespace fourpost {
 namespace {
 
 /// Throws FaultyInput where the vehicle cannot do what was measured.
-KinematicAnswer Answered(const Vehicle& vehicle, const std::vector<KinematicSweep>& sweeps,
-                         const std::vector<double>& values, const std::string& study) {
-  KinematicAnswer answer = AnswerKinematics(vehicle, sweeps, values);
+KinematicAnswer Answered(const KinematicModel& model, const std::vector<double>& values, const std::string& study) {
+  KinematicAnswer answer = model.At(values);
   if (!answer.refusal) return answer;
   Diagnostics diagnostics;
-  ReportRefusal(*answer.refusal, sweeps, study, diagnostics);
+  ReportRefusal(*answer.refusal, model.sweeps(), study, diagnostics);
   throw FaultyInput(diagnostics);
+}
+
+/// Of all that is measured at once.
+std::vector<KinematicSweep> Both(const std::vector<KinematicSweep>& a, const std::vector<KinematicSweep>& b) {
+  std::vector<KinematicSweep> all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
 }
 
 ExperimentResults ResultsOf(const std::vector<KinematicMisfit>& misfits, const std::string& title) {
@@ -86,7 +92,7 @@ void KinematicsRig::Load(const Subject& subject, Diagnostics& diagnostics) {
     Diagnostics found;
     std::vector<KinematicSweep> sweeps = LoadKinematicSweeps(plan, subject.vehicle(), found);
     if (!found.HasErrors())
-      if (const auto refusal = AnswerKinematics(subject.vehicle(), sweeps, values).refusal)
+      if (const auto refusal = KinematicModel(subject.vehicle(), sweeps).At(values).refusal)
         ReportRefusal(*refusal, sweeps, file, found);
     if (plan.is_validation) {
       if (const std::optional<LeftOutRecording> out = LeftOutFor(found, plan.name, plan.file, diagnostics)) {
@@ -119,37 +125,38 @@ void KinematicsRig::AddTo(Sha256& data, Sha256& settings) const {
 
 std::optional<ResidualBlock> KinematicsRig::Residuals(const Subject& subject) const {
   if (fitted.empty()) return std::nullopt;
-  return KinematicResiduals(subject.vehicle(), fitted);
+  return KinematicResiduals(std::make_shared<const KinematicModel>(subject.vehicle(), fitted));
 }
 
 bool KinematicsRig::MeasuresForce() const {
   return std::any_of(fitted.begin(), fitted.end(), [](const KinematicSweep& sweep) {
-    return sweep.load || std::any_of(sweep.curves.begin(), sweep.curves.end(), [](const KinematicCurve& curve) {
-             return curve.quantity->dimension == kForce;
-           });
+    return sweep.load || std::any_of(sweep.curves.begin(), sweep.curves.end(),
+                                     [](const KinematicCurve& curve) { return curve.quantity->dimension == kForce; });
   });
 }
 
 void KinematicsRig::Check(const Subject& subject, Severity, Diagnostics& diagnostics) const {
-  const KinematicAnswer answer = AnswerKinematics(subject.vehicle(), fitted, subject.vehicle().ParameterValues());
+  const KinematicAnswer answer = KinematicModel(subject.vehicle(), fitted).At(subject.vehicle().ParameterValues());
   if (!answer.refusal) LintKinematicSigns(KinematicMisfits(fitted, answer), file, diagnostics);
 }
 
 void KinematicsRig::CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const {
-  const KinematicAnswer answer = AnswerKinematics(subject.vehicle(), fitted, fit.values);
+  const KinematicAnswer answer = KinematicModel(subject.vehicle(), fitted).At(fit.values);
   if (!answer.refusal) LintKinematicOffsets(KinematicMisfits(fitted, answer), file, diagnostics);
 }
 
 ExperimentResults KinematicsRig::Results(const Subject& subject, const FitResult& fit) const {
-  std::vector<KinematicMisfit> misfits =
-      KinematicMisfits(fitted, Answered(subject.vehicle(), fitted, fit.values, file));
-  Diagnostics refused;
+  const KinematicModel model(subject.vehicle(), fitted);
+  std::vector<KinematicMisfit> misfits = KinematicMisfits(fitted, Answered(model, fit.values, file));
   std::vector<LeftOutRecording> left_out = left_out_;
-  const KinematicAnswer kept = AnswerKinematics(subject.vehicle(), validation, fit.values);
-  if (kept.refusal) ReportRefusal(*kept.refusal, validation, file, refused);
   Diagnostics findings;
-  if (const auto out = LeftOutFor(refused, "kinematics", file, findings)) left_out.push_back(*out);
-  if (!kept.refusal) {
+  const KinematicAnswer kept = KinematicModel(subject.vehicle(), validation).At(fit.values);
+  if (kept.refusal) {
+    Diagnostics refused;
+    ReportRefusal(*kept.refusal, validation, file, refused);
+    if (const auto out = LeftOutFor(refused, validation[kept.refusal->sweep].recording, file, findings))
+      left_out.push_back(*out);
+  } else {
     std::vector<KinematicMisfit> unseen = KinematicMisfits(validation, kept);
     std::move(unseen.begin(), unseen.end(), std::back_inserter(misfits));
   }
@@ -162,8 +169,9 @@ ExperimentResults KinematicsRig::Results(const Subject& subject, const FitResult
 std::optional<ExperimentResults> KinematicsRig::Respond(const Subject& subject, std::optional<Engine>,
                                                         const WorkHooks&) const {
   const Vehicle& vehicle = subject.vehicle();
-  const KinematicAnswer answer = Answered(vehicle, fitted, vehicle.ParameterValues(), file);
-  return ResultsOf(KinematicMisfits(fitted, answer), vehicle.name + ": kinematics and compliance");
+  const KinematicModel model(vehicle, Both(fitted, validation));
+  const KinematicAnswer answer = Answered(model, vehicle.ParameterValues(), file);
+  return ResultsOf(KinematicMisfits(model.sweeps(), answer), vehicle.name + ": kinematics and compliance");
 }
 
 bool KinematicsRig::Reads(const RecordedTable& table) const {
@@ -182,17 +190,19 @@ std::optional<ExperimentResults> KinematicsRig::Predict(const Subject& subject, 
   };
   auto found = std::find_if(plans.begin(), plans.end(), is_same);
   if (found == plans.end())
-    found = std::find_if(plans.begin(), plans.end(),
-                         [&](const KinematicPlan& plan) { return HasColumnsOf(*table, plan); });
+    found =
+        std::find_if(plans.begin(), plans.end(), [&](const KinematicPlan& plan) { return HasColumnsOf(*table, plan); });
   KinematicPlan plan = *found;
   plan.file = request.recording;
   plan.name = request.recording.stem().string();
   plan.is_validation = false;
   const std::vector<KinematicSweep> sweeps = LoadKinematicSweeps(plan, subject.vehicle(), results.findings);
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
-  const KinematicAnswer answer = Answered(subject.vehicle(), sweeps, subject.vehicle().ParameterValues(), file);
+  const KinematicModel model(subject.vehicle(), sweeps);
+  const KinematicAnswer answer = Answered(model, subject.vehicle().ParameterValues(), file);
   ExperimentResults predicted =
       ResultsOf(KinematicMisfits(sweeps, answer), subject.vehicle().name + ": kinematics and compliance");
+  predicted.json["channels"] = nlohmann::ordered_json::array();
   predicted.findings = std::move(results.findings);
   return predicted;
 }
