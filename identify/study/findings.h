@@ -33,7 +33,7 @@ inline const Finding kFreeTwice{"free-twice", Severity::kError, "parameter '{}' 
                                 "remove one of the two"};
 inline const Finding kFreeMovesPoints{"free-moves-points", Severity::kError,
                                       "parameter '{}' moves points of the vehicle, and only `kinematics` follows them",
-                                      "fit points to `kinematics` alone, then hold them: `free: all but [...]`"};
+                                      "fit points to `kinematics` alone, then leave them out of `free`"};
 inline const Finding kNothingFree{"nothing-free", Severity::kError,
                                   "no parameter has a range, so there is nothing to fit",
                                   "give at least one fp:parameter lower, upper and precision"};

@@ -147,7 +147,9 @@ OneAxle OneAxleOf(const Vehicle& vehicle, const Suspension& suspension, std::siz
     LinkGroups groups(vehicle, suspension.bodies[static_cast<std::size_t>(suspension.chassis)].links);
     for (std::size_t i = 0; i < stays.size(); ++i) {
       const int link = static_cast<int>(i);
-      const auto moves_with = [&](std::size_t wheel) { return groups.AreTogether(link, suspension.wheels[wheel].link); };
+      const auto moves_with = [&](std::size_t wheel) {
+        return groups.AreTogether(link, suspension.wheels[wheel].link);
+      };
       const std::vector<std::size_t>& wheels = suspension.axles[axle].wheels;
       stays[i] = groups.IsHeld(link) || std::any_of(wheels.begin(), wheels.end(), moves_with);
     }

@@ -22,8 +22,9 @@ inline const Finding kKinematicNoiseNotMapped{
     "write, for example, noise: {camber: 0.02 deg, toe: 0.01 deg}"};
 inline const Finding kKinematicQuantityUnknown{"kinematics-quantity-unknown", Severity::kError,
                                                "a rig measures no '{}'{}", "correct the name"};
-inline const Finding kKinematicAngleUnit{"kinematics-angle-unit", Severity::kError, "the noise of '{}' has no unit",
-                                         "write it with deg or rad, such as 0.02 deg"};
+inline const Finding kKinematicAngleUnit{"kinematics-angle-unit", Severity::kError,
+                                         "the noise of '{}' is '{}', which is no angle",
+                                         "write it in deg or rad, such as 0.02 deg"};
 inline const Finding kKinematicOffset{"kinematics-offset", Severity::kError,
                                       "'offset' must be 'free' or a list of quantities",
                                       "write `offset: free`, or [camber, toe]"};

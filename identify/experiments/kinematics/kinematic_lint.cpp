@@ -33,7 +33,7 @@ void ReportRefusal(const KinematicAnswer::Refusal& refusal, std::span<const Kine
 }
 
 void LintKinematicSigns(std::span<const KinematicMisfit> misfits, const std::string& study, Diagnostics& diagnostics) {
-  // Points that are off change a curve's slope; hardly any turn it round along its whole length.
+  // Points that are off change a curve's slope; few turn it round over its whole length.
   constexpr double kOpposite = -0.9;
   constexpr double kAboveNoise = 5;
   for (const KinematicMisfit& one : misfits) {

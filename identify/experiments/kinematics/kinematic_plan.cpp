@@ -58,6 +58,7 @@ class PlanReader {
   }
 
   void ReadNoise(const YAML::Node& node) {
+    constexpr double kMost = 1e12;
     if (!node.IsMap() || node.size() == 0) return map_.Fault(node, kKinematicNoiseNotMapped);
     std::vector<std::string> keys;
     for (const auto& entry : node) keys.push_back(entry.first.as<std::string>());
@@ -69,12 +70,14 @@ class PlanReader {
         noise.Fault(node[key], kKinematicQuantityUnknown, {key, DidYouMeanOrAll(key, legal)});
         continue;
       }
-      const std::optional<double> sd = noise.Quantity(key, quantity->dimension, 0);
+      const std::string text = noise.Text(key).value_or("");
+      const bool is_share = text.ends_with('%');
+      // Motion ratios are numbers alone.
+      const std::optional<double> sd = quantity->unit.empty() && !is_share
+                                           ? noise.Number(key, 0, kMost)
+                                           : noise.Quantity(key, quantity->dimension, 0);
       if (sd && *sd == 0) noise.FaultOf(key, kKeyNotPositive);
-      // A bare number would be taken for radians.
-      if (sd && quantity->unit == "deg" &&
-          ParseQuantity(noise.Text(key).value_or("")).value_or(Quantity()).unit_text.empty())
-        noise.Fault(node[key], kKinematicAngleUnit, {key});
+      if (quantity->unit == "deg" && is_share) noise.Fault(node[key], kKinematicAngleUnit, {key, text});
       plan_.noise.push_back({quantity, sd.value_or(1)});
     }
   }

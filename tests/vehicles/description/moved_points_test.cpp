@@ -6,10 +6,10 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/findings.h"
 #include "tests/vehicles/poses/wishbone_on_rubber.h"
 #include "vehicles/reader/findings.h"
 #include "vehicles/reader/vehicle_file.h"
-#include "tests/findings.h"
 
 namespace fourpost::moved_points_test {
 namespace {
@@ -31,9 +31,7 @@ Vehicle Read(const RubberPoints& points) {
 }
 
 /// Shifted across and up by a parameter.
-Vehicle Shifted() {
-  return Read({.rate = "$k", .of_tie = "dy=\"$d\" dz=\"-0.5*$d\"", .tags = kParameter});
-}
+Vehicle Shifted() { return Read({.rate = "$k", .of_tie = "dy=\"$d\" dz=\"-0.5*$d\"", .tags = kParameter}); }
 
 const Point& TieOf(const Vehicle& vehicle, const std::string& rod) {
   for (const Rod& one : vehicle.rods)

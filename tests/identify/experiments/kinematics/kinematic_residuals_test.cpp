@@ -23,8 +23,8 @@ TEST(KinematicResiduals, AreZeroAtTheTruthOfACarDrawnWithItsPoints) {
   const rig_study::RigFolder folder;
   const LoadedStudy study = folder.Loaded();
   const VehicleObjective objective = study.MakeObjective();
-  // Camber and toe of two wheels in seven positions; toe and y of two wheels under one force.
-  ASSERT_EQ(objective.residual_count(), 2 * 2 * 7 + 2 * 2);
+  // Camber and toe of two wheels in seven positions; toe and y of two wheels under one force, alike and opposed.
+  ASSERT_EQ(objective.residual_count(), 2 * 2 * 7 + 2 * 2 * 2);
   const Evaluation at_truth = objective.Evaluate(Eigen::Vector3d(kBall_m, kTie_m, kBush_Npm));
   ASSERT_TRUE(at_truth.ok()) << at_truth.detail;
   EXPECT_LT(at_truth.residuals.lpNorm<Eigen::Infinity>(), kZero);
