@@ -48,7 +48,9 @@ ChartAxis AxisOf(const std::vector<SvgSeries>& all, std::vector<double> SvgSerie
 SvgPanel PanelOf(std::span<const KinematicMisfit> curves) {
   const KinematicQuantity& quantity = *curves.front().curve->quantity;
   SvgPanel panel;
-  panel.title = std::string(quantity.name) + (quantity.unit.empty() ? "" : " [" + std::string(quantity.unit) + "]");
+  const KinematicSweep& sweep = *curves.front().sweep;
+  panel.title = sweep.recording + ", " + sweep.motion + ": " + std::string(quantity.name) +
+                (quantity.unit.empty() ? "" : " [" + std::string(quantity.unit) + "]");
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const char* const color = kColors[i % kColors.size()];
     panel.series.push_back(SeriesOf(curves[i], {.label = "", .color = color, .mark = SvgMark::kLine}, false));
@@ -78,13 +80,8 @@ std::string KinematicSvg(const std::string& title, std::span<const KinematicMisf
     while (end < misfits.size() && misfits[end].sweep == misfits[i].sweep &&
            misfits[end].curve->quantity == misfits[i].curve->quantity)
       ++end;
-    const bool is_new = misfits[i].sweep != sweep;
-    if (is_new || sheet.rows.back().panels.size() == kColumns) {
-      sweep = misfits[i].sweep;
-      sheet.rows.push_back({.title = is_new ? sweep->recording + ": " + sweep->axle_name + ", " + sweep->motion : "",
-                            .note = "",
-                            .panels = {}});
-    }
+    if (misfits[i].sweep != sweep || sheet.rows.back().panels.size() == kColumns) sheet.rows.emplace_back();
+    sweep = misfits[i].sweep;
     sheet.rows.back().panels.push_back(PanelOf(misfits.subspan(i, end - i)));
     i = end;
   }
