@@ -118,6 +118,9 @@ class Experiment {
   /// Whether forces are fitted, which give masses and rates their scale.
   virtual bool MeasuresForce() const = 0;
 
+  /// Whether its residuals follow points that parameters move; else the points stay where the file has them.
+  virtual bool FollowsPoints() const { return false; }
+
   /// Once before a fit, at the values of the vehicle's file. Throws FaultyInput.
   virtual void Prepare(const Subject&, const WorkHooks&) {}
   /// Plausibility of the recordings, as warnings; posts that certainly move otherwise than stated as `wrong_posts`.

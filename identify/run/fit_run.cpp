@@ -25,6 +25,7 @@
 #include "identify/study/study_audit.h"
 #include "identify/study/study_context.h"
 #include "identify/suggest/suggestion_json.h"
+#include "vehicles/description/moved_points.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -81,6 +82,7 @@ std::string Page(const LoadedStudy& loaded, const FitResult& fit,
                  const std::vector<std::pair<std::string, std::string>>& files) {
   Vehicle fitted = loaded.vehicle;
   for (std::size_t i = 0; i < fit.values.size(); ++i) fitted.parameters[i].value = fit.values[i];
+  fitted = WithPointsAt(std::move(fitted), fit.values);
   return ReportPage({.files = {files.begin(), files.end()}, .vehicle = std::move(fitted)}, AllExperimentReports());
 }
 

@@ -10,6 +10,9 @@
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/experiments/four_post/four_post_report.h"
 #include "identify/experiments/four_post/stepped_sine_look.h"
+#include "identify/experiments/kinematics/kinematic_look.h"
+#include "identify/experiments/kinematics/kinematic_report.h"
+#include "identify/experiments/kinematics/kinematics_rig.h"
 #include "identify/experiments/static_loads/static_load_look.h"
 #include "identify/experiments/static_loads/static_load_report.h"
 #include "identify/experiments/static_loads/static_loads.h"
@@ -29,10 +32,11 @@ std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
   // A missing node throws when it is asked for its type.
   const bool has_other =
       histories.IsDefined() && histories.IsSequence() && std::any_of(histories.begin(), histories.end(), is_fitted);
-  return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
+  const bool is_asked = !has_other && !study.Has("kinematics");
+  return study.Has("recordings") || is_asked ? FourPost::Read(study) : nullptr;
 }
 
-const std::array<ExperimentKind, 4> kKinds{{
+const std::array<ExperimentKind, 5> kKinds{{
     {.keys = FourPost::kKeys, .read = &ReadFourPost, .report = &FourPostReport, .recordings = &kSteppedSineViewer},
     {.keys = TimeHistories::kKeys,
      .read = &TimeHistories::Read,
@@ -42,6 +46,10 @@ const std::array<ExperimentKind, 4> kKinds{{
      .read = &StaticLoadTest::Read,
      .report = &StaticLoadReport,
      .recordings = &kStaticLoadViewer},
+    {.keys = KinematicsRig::kKeys,
+     .read = &KinematicsRig::Read,
+     .report = &KinematicReport,
+     .recordings = &kKinematicViewer},
     {.keys = DamperBench::kKeys,
      .read = &DamperBench::Read,
      .report = &BenchReport,

@@ -31,6 +31,9 @@ inline const Finding kFreeOutsideRange{"free-outside-range", Severity::kError,
                                        "begin within it, or widen it in the vehicle file"};
 inline const Finding kFreeTwice{"free-twice", Severity::kError, "parameter '{}' appears twice in 'free'",
                                 "remove one of the two"};
+inline const Finding kFreeMovesPoints{"free-moves-points", Severity::kError,
+                                      "parameter '{}' moves points of the vehicle, and only `kinematics` follows them",
+                                      "fit points to `kinematics` alone, then leave them out of `free`"};
 inline const Finding kNothingFree{"nothing-free", Severity::kError,
                                   "no parameter has a range, so there is nothing to fit",
                                   "give at least one fp:parameter lower, upper and precision"};

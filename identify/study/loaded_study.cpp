@@ -15,6 +15,7 @@
 #include "identify/study/scale_lint.h"
 #include "identify/study/study_audit.h"
 #include "identify/study_file/findings.h"
+#include "vehicles/description/moved_points.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/parameter_setting.h"
 
@@ -144,6 +145,18 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
   return free;
 }
 
+/// Points that parameters move stay where they are in the reduced model, so that a fit of it would hold for other ones.
+void CheckMovedPoints(const Study& study, const Vehicle& vehicle, const std::vector<std::size_t>& free,
+                      Diagnostics& diagnostics) {
+  if (std::all_of(study.experiments.begin(), study.experiments.end(),
+                  [](const Experiment& experiment) { return experiment.FollowsPoints(); }))
+    return;
+  const std::vector<bool> moves = MovePoints(vehicle);
+  for (const std::size_t index : free)
+    if (moves[index])
+      diagnostics.Report(kFreeMovesPoints, {study.file.string(), study.free_line}, {vehicle.parameters[index].name});
+}
+
 /// Values of `start`, at whose lines faults are, then those of options.
 void SetValues(const Study& study, const std::vector<std::string>& set, Vehicle& vehicle, Diagnostics& diagnostics) {
   for (const StudyStart& start : study.start) {
@@ -241,6 +254,7 @@ std::optional<LoadedStudy> Loaded(std::optional<Study> study, Diagnostics& diagn
   SetValues(*study, set, *vehicle, diagnostics);
   CheckCalibrations(*study, *vehicle, diagnostics);
   std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
+  CheckMovedPoints(*study, *vehicle, free, diagnostics);
   LoadedStudy loaded{*std::move(study), *vehicle, std::move(free), set};
   const Subject subject = loaded.MakeSubject();
   for (Experiment& experiment : loaded.study.experiments) experiment.Load(subject, diagnostics);

@@ -84,7 +84,10 @@ struct Joint {
 /// A point fixed in a link [m].
 struct Point {
   int link = -1;
+  /// At the values of the file's parameters, the shift included.
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
+  /// Along the link's axes from the place drawn; as parameters, a hard point that a fit may move, see WithPointsAt().
+  std::array<Scalar, 3> shift = {};
 };
 
 /// The line along which a two-ended element acts; its length grows in extension.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vehicles/description/element_list.h"
+#include "vehicles/description/moved_points.h"
 #include "vehicles/lint/findings.h"
 
 namespace fourpost {
@@ -80,10 +81,12 @@ std::pair<double, double> RangeOf(const Parameter& parameter) {
 void LintIdleParameters(const LintSubject& subject, FileFaults& findings) {
   const Vehicle& vehicle = subject.vehicle;
   const std::vector<bool> are_in_curved_laws = AreInCurvedLaws(vehicle);
+  // Of points as drawn, like the reduced model.
+  const std::vector<bool> move_points = MovePoints(vehicle);
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const Parameter& parameter = vehicle.parameters[i];
     const auto [lower, upper] = RangeOf(parameter);
-    if (lower == upper || are_in_curved_laws[i]) continue;
+    if (lower == upper || are_in_curved_laws[i] || move_points[i]) continue;
     std::vector<double> values = subject.values;
     values[i] = lower;
     const CondensedModel low = subject.condensed.At(values);

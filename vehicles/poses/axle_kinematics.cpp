@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fourpost {
 namespace {
@@ -16,25 +17,6 @@ int SideOf(const Wheel& wheel) {
   constexpr double kAside_m = 0.1;
   if (wheel.side != 0) return wheel.side;
   return wheel.foot.y() < -kAside_m ? -1 : 1;
-}
-
-std::vector<AxleStrut> AllStruts(const Vehicle& vehicle) {
-  using Kind = AxleStrut::Kind;
-  std::vector<AxleStrut> struts;
-  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
-    const Spring& spring = vehicle.springs[i];
-    const Kind kind = spring.kind == Spring::Kind::kCoil   ? Kind::kSpring
-                      : spring.kind == Spring::Kind::kStop ? Kind::kStop
-                                                           : Kind::kGas;
-    struts.push_back({kind, i, spring.name});
-  }
-  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
-    struts.push_back({Kind::kDamper, i, vehicle.dampers[i].name});
-  for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i)
-    struts.push_back({Kind::kAntiRollBar, i, vehicle.antiroll_bars[i].name});
-  std::stable_sort(struts.begin(), struts.end(),
-                   [](const AxleStrut& a, const AxleStrut& b) { return a.kind < b.kind; });
-  return struts;
 }
 
 Coordinate LengthOf(const Vehicle& vehicle, const AxleStrut& strut, const Kinematics& pose) {
@@ -61,7 +43,7 @@ class AxleOnRig {
     std::vector<AxleTravel> travels = Travels();
     for (AxleTravel& travel : travels)
       if (rig_.Tangent(design_, RiseOf(travel, 1))) kinematics.travels.push_back(std::move(travel));
-    for (const AxleStrut& strut : AllStruts(vehicle_))
+    for (const AxleStrut& strut : StrutsOf(vehicle_))
       if (IsMoved(strut, kinematics.travels)) kinematics.struts.push_back(strut);
     struts_ = kinematics.struts;
     if (kinematics.travels.empty()) return kinematics;
@@ -71,6 +53,53 @@ class AxleOnRig {
     for (AxleTravel& travel : kinematics.travels) Travel(filled, travel);
     kinematics.compliance = Compliance();
     return kinematics;
+  }
+
+  std::vector<std::optional<AxleStation>> At(const AxleTravel& travel, std::span<const double> travels,
+                                             const StationWants& wants) {
+    std::vector<std::optional<AxleStation>> stations(travels.size());
+    if (!rig_.Tangent(design_, RiseOf(travel, 1))) return stations;
+    if (wants.rates) struts_ = StrutsOf(vehicle_);
+    std::vector<std::size_t> order(travels.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return std::abs(travels[a]) < std::abs(travels[b]); });
+    // Of rebound and of bump.
+    SuspensionRig::Pose reached[2] = {design_, design_};
+    for (const std::size_t i : order) {
+      SuspensionRig::Pose& pose = reached[travels[i] > 0 ? 1 : 0];
+      const Eigen::VectorXd wanted = RiseOf(travel, travels[i]);
+      if (pose.rise != wanted) pose = rig_.Move(pose, wanted);
+      if (pose.rise == wanted) stations[i] = StationAt(travel, travels[i], pose, wants);
+    }
+    return stations;
+  }
+
+  std::vector<AxleCompliance> Compliance() {
+    // Of a rad or metre per newton: far below any rubber, and far above rounding.
+    constexpr double kYields = 1e-13;
+    std::vector<AxleCompliance> all;
+    if (rig_.IsRigid(design_)) return all;
+    bool yields = false;
+    for (const WheelLoad load : {WheelLoad::kLateral, WheelLoad::kBraking, WheelLoad::kDriving, WheelLoad::kAligning})
+      for (const bool opposed : {false, true}) {
+        if (opposed && !HasTwoSides()) continue;
+        Eigen::VectorXd factors = Eigen::VectorXd::Zero(static_cast<Index>(suspension_.wheels.size()));
+        for (std::size_t k = 0; k < axle_.wheels.size(); ++k)
+          factors[static_cast<Index>(axle_.wheels[k])] = opposed ? Side(k) : 1;
+        const std::optional<Eigen::VectorXd> motion = rig_.Yield(design_, load, factors);
+        if (!motion) continue;
+        const fourpost::Kinematics place = rig_.At(design_);
+        AxleCompliance compliance{.load = load, .is_opposed = opposed, .wheels = {}};
+        for (std::size_t k = 0; k < axle_.wheels.size(); ++k) {
+          compliance.wheels.push_back(WheelRateOf(TyreOf(k), Side(k), place, *motion));
+          const WheelPlace& wheel = compliance.wheels.back();
+          yields = yields || std::max({std::abs(wheel.camber), std::abs(wheel.steer), wheel.centre.norm()}) > kYields;
+        }
+        all.push_back(std::move(compliance));
+      }
+    if (!yields) all.clear();
+    return all;
   }
 
  private:
@@ -155,11 +184,13 @@ class AxleOnRig {
     return end;
   }
 
-  AxleStation StationAt(const AxleTravel& travel, double size, const SuspensionRig::Pose& pose) {
+  AxleStation StationAt(const AxleTravel& travel, double size, const SuspensionRig::Pose& pose,
+                        const StationWants& wants = {}) {
     AxleStation station{.travel = size};
-    const Eigen::VectorXd motion = rig_.Tangent(pose, RiseOf(travel, 1)).value();
+    const Eigen::VectorXd motion = wants.rates ? rig_.Tangent(pose, RiseOf(travel, 1)).value()
+                                               : Eigen::VectorXd(Eigen::VectorXd::Zero(pose.rest.q.size()));
     std::optional<Eigen::VectorXd> roll;
-    if (HasTwoSides() && travel.kind == AxleTravel::Kind::kHeave)
+    if (wants.roll_centre && HasTwoSides() && travel.kind == AxleTravel::Kind::kHeave)
       roll = rig_.Tangent(pose, RiseOf({.kind = AxleTravel::Kind::kRoll, .stations = {}}, 1));
     const Eigen::VectorXd loads = rig_.PadForces(pose);
     const fourpost::Kinematics place = rig_.At(pose);
@@ -234,33 +265,6 @@ class AxleOnRig {
     return std::abs(here - there);
   }
 
-  std::vector<AxleCompliance> Compliance() {
-    // Of a rad or metre per newton: far below any rubber, and far above rounding.
-    constexpr double kYields = 1e-13;
-    std::vector<AxleCompliance> all;
-    if (rig_.IsRigid(design_)) return all;
-    bool yields = false;
-    for (const WheelLoad load : {WheelLoad::kLateral, WheelLoad::kBraking, WheelLoad::kDriving, WheelLoad::kAligning})
-      for (const bool opposed : {false, true}) {
-        if (opposed && !HasTwoSides()) continue;
-        Eigen::VectorXd factors = Eigen::VectorXd::Zero(static_cast<Index>(suspension_.wheels.size()));
-        for (std::size_t k = 0; k < axle_.wheels.size(); ++k)
-          factors[static_cast<Index>(axle_.wheels[k])] = opposed ? Side(k) : 1;
-        const std::optional<Eigen::VectorXd> motion = rig_.Yield(design_, load, factors);
-        if (!motion) continue;
-        const fourpost::Kinematics place = rig_.At(design_);
-        AxleCompliance compliance{.load = load, .is_opposed = opposed, .wheels = {}};
-        for (std::size_t k = 0; k < axle_.wheels.size(); ++k) {
-          compliance.wheels.push_back(WheelRateOf(TyreOf(k), Side(k), place, *motion));
-          const WheelPlace& wheel = compliance.wheels.back();
-          yields = yields || std::max({std::abs(wheel.camber), std::abs(wheel.steer), wheel.centre.norm()}) > kYields;
-        }
-        all.push_back(std::move(compliance));
-      }
-    if (!yields) all.clear();
-    return all;
-  }
-
   SuspensionRig& rig_;
   const Vehicle& vehicle_;
   const Suspension& suspension_;
@@ -304,6 +308,35 @@ const char* LoadName(WheelLoad load) {
     case WheelLoad::kAligning: return "aligning";
   }
   return "";
+}
+
+std::vector<AxleStrut> StrutsOf(const Vehicle& vehicle) {
+  using Kind = AxleStrut::Kind;
+  std::vector<AxleStrut> struts;
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    const Spring& spring = vehicle.springs[i];
+    const Kind kind = spring.kind == Spring::Kind::kCoil   ? Kind::kSpring
+                      : spring.kind == Spring::Kind::kStop ? Kind::kStop
+                                                           : Kind::kGas;
+    struts.push_back({kind, i, spring.name});
+  }
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
+    struts.push_back({Kind::kDamper, i, vehicle.dampers[i].name});
+  for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i)
+    struts.push_back({Kind::kAntiRollBar, i, vehicle.antiroll_bars[i].name});
+  std::stable_sort(struts.begin(), struts.end(),
+                   [](const AxleStrut& a, const AxleStrut& b) { return a.kind < b.kind; });
+  return struts;
+}
+
+std::vector<std::optional<AxleStation>> StationsAt(SuspensionRig& rig, std::size_t axle,
+                                                   std::span<const double> parameters, const AxleTravel& travel,
+                                                   std::span<const double> travels, const StationWants& wants) {
+  return AxleOnRig(rig, axle, parameters).At(travel, travels, wants);
+}
+
+std::vector<AxleCompliance> ComplianceOf(SuspensionRig& rig, std::size_t axle, std::span<const double> parameters) {
+  return AxleOnRig(rig, axle, parameters).Compliance();
 }
 
 std::vector<AxleKinematics> KinematicsOf(SuspensionRig& rig, std::span<const double> parameters,

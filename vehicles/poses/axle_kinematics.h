@@ -85,6 +85,9 @@ struct AxleStrut {
 };
 const char* KindName(AxleStrut::Kind kind);
 
+/// Of a vehicle, by kind.
+std::vector<AxleStrut> StrutsOf(const Vehicle& vehicle);
+
 /// Response of the wheels of an axle to one load; per N, or N m of an aligning torque.
 struct AxleCompliance {
   WheelLoad load = WheelLoad::kLateral;
@@ -122,6 +125,22 @@ struct TravelRange {
   double step = 0.01;
 };
 inline constexpr double kUsualTravel = 0.06;
+
+/// What of an AxleStation is wanted; all else stays empty, since each costs a solution of its own.
+struct StationWants {
+  /// Rates, roll rate and motion ratios.
+  bool rates = true;
+  bool roll_centre = true;
+};
+
+/// One axle at these travels [m], in their order; empty where the wheels cannot go there. `travel`: its kind and wheel.
+/// The way to each leads from the design pose through those between. Lengths and ratios are those of StrutsOf().
+std::vector<std::optional<AxleStation>> StationsAt(SuspensionRig& rig, std::size_t axle,
+                                                   std::span<const double> parameters, const AxleTravel& travel,
+                                                   std::span<const double> travels, const StationWants& wants);
+
+/// Of one axle in the design pose, see AxleKinematics::compliance.
+std::vector<AxleCompliance> ComplianceOf(SuspensionRig& rig, std::size_t axle, std::span<const double> parameters);
 
 /// Of all axles whose wheels can move against the chassis.
 std::vector<AxleKinematics> KinematicsOf(SuspensionRig& rig, std::span<const double> parameters,

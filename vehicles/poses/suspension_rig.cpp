@@ -47,11 +47,14 @@ Preloads WithoutTyres(Preloads preloads) {
 }  // namespace
 
 SuspensionRig::SuspensionRig(const Vehicle& vehicle, std::span<const double> parameters)
+    : SuspensionRig(vehicle, parameters, CondensedVehicle(vehicle).PreloadsAt(parameters)) {}
+
+SuspensionRig::SuspensionRig(const Vehicle& vehicle, std::span<const double> parameters, Preloads preloads)
     : vehicle_(vehicle),
       multibody_(WithoutTyreRates(vehicle)),
       solver_(multibody_),
       suspension_(SuspensionOf(vehicle, DesignKinematics(vehicle), parameters)) {
-  multibody_.SetParameters(parameters, WithoutTyres(CondensedVehicle(vehicle).PreloadsAt(parameters)));
+  multibody_.SetParameters(parameters, WithoutTyres(std::move(preloads)));
   multibody_.SetPose(multibody_.design_pose());
   if (suspension_.chassis >= 0) {
     chassis_ = suspension_.bodies[static_cast<std::size_t>(suspension_.chassis)].links.front();

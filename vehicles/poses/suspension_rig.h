@@ -25,6 +25,8 @@ class SuspensionRig {
  public:
   /// Throws FaultyInput if the vehicle cannot be assembled or held in its design pose.
   SuspensionRig(const Vehicle& vehicle, std::span<const double> parameters);
+  /// With preloads that are known; those of tyres do not count.
+  SuspensionRig(const Vehicle& vehicle, std::span<const double> parameters, Preloads preloads);
 
   struct Pose {
     RestSolver::Rest rest;

@@ -29,7 +29,7 @@ class ElementReader {
   ElementReader(const XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters, Vehicle& vehicle,
                 FileFaults& faults)
       : robot_(robot),
-        lines_(robot, tree, faults),
+        lines_(robot, tree, parameters, faults),
         laws_(parameters, faults),
         parameters_(parameters),
         vehicle_(vehicle),

@@ -17,9 +17,10 @@ Eigen::Matrix3d TurnOf(const Eigen::Vector3d& rpy) {
           AngleAxisd(rpy.x(), Vector3d::UnitX()))
       .toRotationMatrix();
 }
-LineReader::LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, FileFaults& faults)
+LineReader::LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters,
+                       FileFaults& faults)
     : tree_(tree), faults_(faults), lost_names_(LostNames(robot)) {
-  for (const Tag& tag : TagsOf(robot, "fp:frame")) ReadFrame(tag);
+  for (const Tag& tag : TagsOf(robot, "fp:frame")) ReadFrame(tag, parameters);
 }
 
 void LineReader::Unknown(const Tag& tag, std::string_view attribute, const std::string& kind,
@@ -39,11 +40,13 @@ Point LineReader::ReadPoint(const Tag& tag) const {
   return {.link = ReadLink(tag), .xyz = ParseVector(tag.Text("xyz")).value_or(Point().xyz)};
 }
 
-void LineReader::ReadFrame(const Tag& tag) {
+void LineReader::ReadFrame(const Tag& tag, ParameterReader& parameters) {
   const std::string name = tag.Text("name");
   if (tree_.FindLink(name) >= 0) faults_.Report(kFrameNamedAsLink, tag.Line(), {Describe(*tag.element)});
-  frames_.try_emplace(name,
-                      Frame{ReadPoint(tag), TurnOf(ParseVector(tag.Text("rpy")).value_or(Eigen::Vector3d(0, 0, 0)))});
+  Point point = ReadPoint(tag);
+  point.shift = {parameters.ReadScalar(tag, "dx"), parameters.ReadScalar(tag, "dy"), parameters.ReadScalar(tag, "dz")};
+  point.xyz += Eigen::Vector3d(point.shift[0].value, point.shift[1].value, point.shift[2].value);
+  frames_.try_emplace(name, Frame{point, TurnOf(ParseVector(tag.Text("rpy")).value_or(Eigen::Vector3d(0, 0, 0)))});
 }
 
 std::vector<std::string> LineReader::EndNames() const {

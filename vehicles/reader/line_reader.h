@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/description/vehicle.h"
+#include "vehicles/reader/parameter_reader.h"
 #include "vehicles/reader/urdf_tree.h"
 #include "vehicles/tags/file_faults.h"
 #include "vehicles/tags/tag.h"
@@ -21,8 +22,8 @@ Eigen::Matrix3d TurnOf(const Eigen::Vector3d& rpy);
 /// Reads the points of elements, the ends that name a frame or a link, and the lines between them.
 class LineReader {
  public:
-  /// Reads the file's frames.
-  LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, FileFaults& faults);
+  /// Reads the file's frames, whose shifts may be parameters.
+  LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters, FileFaults& faults);
 
   /// From the attributes `link` and `xyz`.
   Point ReadPoint(const Tag& tag) const;
@@ -47,7 +48,7 @@ class LineReader {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   };
 
-  void ReadFrame(const Tag& tag);
+  void ReadFrame(const Tag& tag, ParameterReader& parameters);
   /// Legal names of an end.
   std::vector<std::string> EndNames() const;
   Point ReadEnd(const Tag& tag, std::string_view attribute) const;

@@ -58,6 +58,13 @@ std::string Negated(const std::string& text) {
   return FormatNumber(*number == 0 ? 0 : -*number);
 }
 
+/// Of a length with its unit, or of a parameter: "2 mm", "$dy", "-0.5*$dy".
+std::string NegatedShift(const std::string& text) {
+  const std::string shift(Trimmed(text));
+  if (shift.starts_with('-')) return shift.substr(1);
+  return shift.empty() ? shift : "-" + shift;
+}
+
 std::string Mirrored(const std::string& text, VectorKind kind) {
   const std::optional<Eigen::Vector3d> vector = ParseVector(text);
   if (!vector) return text;
@@ -199,6 +206,7 @@ class Mirror {
     if (attribute == "rpy") return Mirrored(text, VectorKind::kAxial);
     if (tag == "mesh" && attribute == "scale") return Mirrored(text, VectorKind::kPolar);
     if (tag == "inertia" && (attribute == "ixy" || attribute == "iyz")) return Negated(text);
+    if (tag == "fp:frame" && attribute == "dy") return NegatedShift(text);
     return attribute == "name" || attribute == "filename" ? text : TwinOf(text);
   }
 

@@ -8,6 +8,7 @@
 #include "analysis/text/known_names.h"
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
+#include "vehicles/description/moved_points.h"
 #include "vehicles/requests/findings.h"
 
 namespace fourpost {
@@ -136,7 +137,9 @@ void SetParameter(const std::string& text, const std::string& option, Vehicle& v
     return;
   }
   const std::optional<std::size_t> index = reader.Parameter(text.substr(0, equals));
-  if (index) vehicle.parameters[*index].value = reader.Value(*index, text.substr(equals + 1));
+  if (!index) return;
+  vehicle.parameters[*index].value = reader.Value(*index, text.substr(equals + 1));
+  vehicle = WithPointsAt(std::move(vehicle), vehicle.ParameterValues());
 }
 
 std::optional<ParameterRange> ReadParameterRange(const std::string& text, const std::string& option,

@@ -7,6 +7,7 @@
 
 #include "vehicles/condensed/linear_response.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/description/moved_points.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -152,11 +153,12 @@ std::vector<ParameterView> ParameterViews(const Vehicle& vehicle, const Condense
                                           std::span<const double> parameters) {
   const Observer observer(vehicle, condensed, parameters);
   const std::vector<bool> are_in_curved_laws = AreInCurvedLaws(vehicle);
+  const std::vector<bool> move_points = MovePoints(vehicle);
   std::vector<ParameterView> views;
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
     if (vehicle.parameters[i].upper > vehicle.parameters[i].lower) {
       views.push_back(observer.View(i));
-      views.back().in_curved_law = are_in_curved_laws[i];
+      views.back().in_curved_law = are_in_curved_laws[i] || move_points[i];
     }
   return views;
 }

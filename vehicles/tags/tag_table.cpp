@@ -66,6 +66,14 @@ AttributeRule Cubic(std::string_view doc) {
   return Measure("cubic", kCubicStiffness, Sign::kNotNegative, doc, "0 N/m^3");
 }
 
+/// Of a hard point from where it is drawn.
+AttributeRule Shift(std::string_view name) {
+  return Measure(name, kLength, Sign::kAny,
+                 "shift of the point along this axis of the link, added to `xyz`; as a parameter, a hard point that a "
+                 "fit of `kinematics` moves",
+                 "0 mm");
+}
+
 std::vector<AttributeRule> Components(const Dimension& dimension, std::string_view fallback, std::string_view greatest,
                                       std::string_view doc) {
   std::vector<AttributeRule> rules;
@@ -144,7 +152,8 @@ std::vector<TagRule> MakeParameterTags() {
                        .kind = Kind::kVector,
                        .required = false,
                        .fallback = "0 0 0",
-                       .doc = "orientation in link axes, roll pitch yaw in rad, used by elements that need axes"}}},
+                       .doc = "orientation in link axes, roll pitch yaw in rad, used by elements that need axes"},
+                      Shift("dx"), Shift("dy"), Shift("dz")}},
   };
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/files/recorded_table.h"
+#include "analysis/text/units.h"
+
+namespace fourpost {
+
+/// A column of a table by its name without its unit, which stands in the file's own place for it or as the end of the
+/// name: "camber_deg", "camber [deg]".
+struct KinematicColumn {
+  std::size_t index = 0;
+  std::string name;
+  /// As written; empty: none.
+  std::string unit;
+  /// Whether its first row is no number.
+  bool is_text = false;
+};
+
+std::vector<KinematicColumn> KinematicColumns(const RecordedTable& table);
+
+/// The column of this name; nothing where there is none of this kind.
+std::optional<KinematicColumn> FindKinematicColumn(const std::vector<KinematicColumn>& columns, std::string_view name,
+                                                   bool is_text);
+
+/// A quantity and whose it is, as in "camber_left"; nothing for other names.
+struct QuantityName {
+  std::string quantity;
+  /// "left", a wheel, a strut; empty: not said.
+  std::string of;
+};
+std::optional<QuantityName> ParseQuantityName(const std::string& name);
+
+/// Whether a table is of a rig: a travel or a load, and a quantity over it.
+bool IsKinematicTable(const RecordedTable& table);
+
+}  // namespace fourpost
