@@ -190,7 +190,7 @@ class SweepReader {
     const std::string motion_text = TextAt(row, motion_column_);
     const std::string case_text = TextAt(row, case_column_);
     if (axle_column_ && !plan_.axle.empty() && axle_text != plan_.axle) return;
-    if (motion_column_ && !plan_.motion.empty() && motion_text != plan_.motion) return;
+    if (motion_column_ && !plan_.motion.empty() && !IsStated(motion_text, axle_text)) return;
     if (case_column_ && plan_.is_opposed && (case_text == "opposed") != *plan_.is_opposed) return;
     const std::string axle_name = !plan_.axle.empty() ? plan_.axle : axle_text;
     const std::string motion = !plan_.motion.empty() ? plan_.motion : motion_text;
@@ -199,6 +199,15 @@ class SweepReader {
     const std::optional<double> position = PositionAt(row);
     if (!position) return;
     for (const ReadColumn& read : read_) AddPoint(row, read, *position, *sweep);
+  }
+
+  /// Whether a row is of the study's motion; both may name a wheel otherwise.
+  bool IsStated(const std::string& motion, const std::string& axle_text) const {
+    if (motion == plan_.motion) return true;
+    const std::optional<std::size_t> axle = axles_.AxleNamed(plan_.axle.empty() ? axle_text : plan_.axle);
+    if (!axle) return false;
+    const std::optional<std::size_t> wheel = axles_.WheelNamed(plan_.motion, *axle);
+    return wheel && axles_.WheelNamed(motion, *axle) == wheel;
   }
 
   std::optional<double> PositionAt(std::size_t row) {
