@@ -69,11 +69,16 @@ std::string GrowthText(const GrownFit& grown) {
          (grown.is_interrupted ? "Growth was " + InterruptedText(grown) : "Growth ended: " + grown.path.end) + ".\n\n";
 }
 
-/// With a page beside the line on the terminal.
-FitHooks Watched(FitHooks hooks, std::optional<WatchPage>& page) {
-  if (!page) return hooks;
-  const auto show = std::move(hooks.progress);
-  hooks.progress = [show, &page](const FitProgress& progress) {
+/// The line on the terminal and, on demand, a page, which begins with the first search: then the folder is that of a
+/// run.
+FitHooks Shown(const FitCommand& command, const FitOptions& options, std::optional<WatchPage>& page) {
+  FitHooks hooks = ShownFit(options);
+  if (!command.watch) return hooks;
+  if (!page) {
+    page.emplace(command.output, ValidUtf8(command.study.filename().string()));
+    std::fprintf(stderr, "open %s to follow the fit\n", page->file().c_str());
+  }
+  hooks.progress = [show = std::move(hooks.progress), &page](const FitProgress& progress) {
     show(progress);
     page->Show(progress);
   };
@@ -85,17 +90,18 @@ FitHooks Watched(FitHooks hooks, std::optional<WatchPage>& page) {
 int Run(const FitCommand& command) {
   WorkProgress progress;
   std::optional<WatchPage> page;
-  if (command.watch) page.emplace(command.output, ValidUtf8(command.study.filename().string()));
-  if (page) std::fprintf(stderr, "open %s to follow the fit\n", page->file().c_str());
   const FitRunHooks hooks{.work = progress.Hooks(),
                           .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
                           .begin = CatchInterrupts,
-                          .fit = [&page](const FitOptions& options) { return Watched(ShownFit(options), page); }};
+                          .fit = [&](const FitOptions& options) { return Shown(command, options, page); }};
   const GrownFit grown = command.grow ? GrowFit(command, hooks)
                                       : GrownFit{.path = {}, .fit = FitStudy(command, hooks), .folder = command.output};
   const FitRun& run = grown.fit;
   const FitResult& fit = run.fit;
-  if (page) page->End(run.is_written, std::string(FitEndName(fit.end)));
+  if (page) {
+    const std::string report = (grown.folder / "report.html").lexically_relative(command.output).generic_string();
+    page->End(run.is_written ? report : "", std::string(FitEndName(fit.end)));
+  }
   if (!run.is_written) {
     Tell(fit.end == FitEnd::kInterrupted ? kFitInterrupted : kFitWithoutResults, {},
          {std::string(FitEndName(fit.end)), fit.message});

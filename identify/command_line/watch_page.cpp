@@ -53,12 +53,11 @@ std::string Values(const FitProgress& progress) {
 
 WatchPage::WatchPage(std::filesystem::path folder, std::string study)
     : file_(std::move(folder) / "watch.html"), study_(std::move(study)) {
-  std::filesystem::create_directories(file_.parent_path());
-  ReplaceFile(file_, Page(study_, "watch.html", kSecondsBetween, "<p>Reading the study and its recordings ...</p>\n"));
+  ReplaceFile(file_, Page(study_, "watch.html", kSecondsBetween, "<p>The fit begins ...</p>\n"));
 }
 
 WatchPage::~WatchPage() {
-  if (!has_ended_) End(false, "without results, for the reason that the terminal shows");
+  if (!has_ended_) End("", "without results, for the reason that the terminal shows");
 }
 
 void WatchPage::Write(const std::string& next, double wait_s, const std::string& body) const {
@@ -123,11 +122,10 @@ void WatchPage::Show(const FitProgress& progress) {
             Rounded(seconds(), 3) + " s" + best + ".</p>\n" + Chart() + Stages() + Values(progress));
 }
 
-void WatchPage::End(bool has_report, const std::string& how) {
+void WatchPage::End(const std::string& report, const std::string& how) {
   has_ended_ = true;
-  Write(has_report ? "report.html" : "", 0,
-        "<p>The fit ended: " + html::Escaped(how) + "." +
-            (has_report ? " <a href=\"report.html\">Its report</a>" : "") + "</p>\n" + Chart() + Stages());
+  const std::string link = report.empty() ? "" : " <a href=\"" + html::Escaped(report) + "\">Its report</a>";
+  Write(report, 0, "<p>The fit ended: " + html::Escaped(how) + "." + link + "</p>\n" + Chart() + Stages());
 }
 
 }  // namespace fourpost

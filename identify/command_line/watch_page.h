@@ -12,7 +12,7 @@ namespace fourpost {
 /// A page that a browser may keep open while a fit runs: it loads itself again until the report is there.
 class WatchPage {
  public:
-  /// Writes watch.html to the folder of the results; throws OutputError where it cannot.
+  /// Writes watch.html to the folder of the results, which is there; throws OutputError where it cannot.
   WatchPage(std::filesystem::path folder, std::string study);
   /// The page says that the fit ended, if End() did not.
   ~WatchPage();
@@ -22,8 +22,8 @@ class WatchPage {
   /// Writes the page anew, unless the last one is fresh. A page that cannot be written ends no fit.
   void Show(const FitProgress& progress);
 
-  /// Leads to the report, or says how the fit ended without one.
-  void End(bool has_report, const std::string& how);
+  /// Says how the fit ended, and leads to its report, if there is one: its path from the folder of the page.
+  void End(const std::string& report, const std::string& how);
 
   const std::filesystem::path& file() const { return file_; }
 

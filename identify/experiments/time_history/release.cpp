@@ -51,7 +51,7 @@ Statics StaticsOf(const CondensedModel& model, const std::vector<Port>& ports, c
   return out;
 }
 
-/// From no tension to this one over the stiffness [m]; as good as all of the sliding force takes a finite stroke.
+/// From no tension to this one over the stiffness [m]; nearly all of the sliding force takes a finite stroke.
 double StrokeTo(double tension_m, const DahlFriction& law) {
   constexpr double kAll = 1 - 1e-9;
   const double sliding_m = law.force / law.stiffness;
