@@ -79,7 +79,8 @@ class Descriptor {
 bool IsEmpty(const fs::path& folder) {
   const fs::directory_iterator entries(folder);
   return std::all_of(begin(entries), end(entries), [](const auto& entry) {
-    return entry.path().filename() == kProbe || entry.path().filename() == kInputsFolder;
+    const fs::path name = entry.path().filename();
+    return name == kProbe || name == kInputsFolder || name == kWatchPage;
   });
 }
 

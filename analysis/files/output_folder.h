@@ -37,6 +37,9 @@ void RemoveFolders(const std::vector<std::filesystem::path>& outermost_first);
 /// Where a folder of results keeps inputs of its own, such as arrays that were fitted; no results of an earlier run.
 inline constexpr const char* kInputsFolder = "inputs";
 
+/// How a run gets on, in a browser; no result either.
+inline constexpr const char* kWatchPage = "watch.html";
+
 /// A folder of results that is written completely or not at all. A file, `result.json` unless another is named, marks
 /// it as ours, and is put there last. Nothing is on disk before Commit.
 class OutputFolder {

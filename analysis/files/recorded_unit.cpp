@@ -38,14 +38,13 @@ struct RecordedUnit {
 };
 
 /// Those that ParseUnit does not take, or takes as something else. "lb" may be a mass or a force, and is neither.
-constexpr std::array<RecordedUnit, 10> kRecordedUnits = {{
+constexpr std::array<RecordedUnit, 9> kRecordedUnits = {{
     {"g", kGravity, kAcceleration},
     {"gn", kGravity, kAcceleration},
     {"ips", 0.0254, kVelocity},
     {"fps", 0.3048, kVelocity},
     // Of the international mile of 1609.344 m.
     {"mph", 0.44704, kVelocity},
-    {"MPH", 0.44704, kVelocity},
     {"kph", 1 / 3.6, kVelocity},
     {"kmh", 1 / 3.6, kVelocity},
     {"km/hr", 1 / 3.6, kVelocity},

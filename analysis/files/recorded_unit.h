@@ -9,8 +9,8 @@
 namespace fourpost {
 
 /// A unit as measurement systems write it: all that ParseUnit takes, and "m/s²", "m/s2", "mm/sec", "°/s", "µm", "-",
-/// "inches", "Newton", "ips", "mph", "klbf". In a recording "g" is the standard gravity; nobody records grams. Bytes of Latin-1 count as
-/// those of UTF-8.
+/// "inches", "Newton", "ips", "mph", "klbf". In a recording "g" is the standard gravity; nobody records grams. Bytes of
+/// Latin-1 count as those of UTF-8.
 std::optional<Unit> ParseRecordedUnit(std::string_view text);
 
 /// As UnitHint() of one that ParseRecordedUnit does not know, in brackets or not; else empty.

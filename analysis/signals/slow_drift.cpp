@@ -70,7 +70,8 @@ std::optional<double> SlowDrift(std::span<const double> signal) {
   Eigen::VectorXd time(kWindows);
   // From begin to end of the record 1.
   for (Eigen::Index w = 0; w < kWindows; ++w)
-    time[w] = static_cast<double>(w - kWindows / 2) * static_cast<double>(length / 2) / static_cast<double>(signal.size());
+    time[w] =
+        static_cast<double>(w - kWindows / 2) * static_cast<double>(length / 2) / static_cast<double>(signal.size());
   Eigen::MatrixXd others(kWindows, 4);
   for (Eigen::Index w = 0; w < kWindows; ++w)
     others.row(w) << 1, time[w] * time[w], WithLargestOne(levels.size[w], levels.size.maxCoeff()),

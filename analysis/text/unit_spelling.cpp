@@ -13,16 +13,17 @@ namespace {
 
 using Word = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Word, 42> kUnitWords = {{
-    {"inch", "in"},        {"inches", "in"},      {"foot", "ft"},         {"feet", "ft"},         {"mils", "mil"},
-    {"meter", "m"},        {"meters", "m"},       {"metre", "m"},         {"metres", "m"},        {"millimeter", "mm"},
-    {"millimeters", "mm"}, {"millimetre", "mm"},  {"millimetres", "mm"},  {"centimeter", "cm"},   {"centimeters", "cm"},
-    {"centimetre", "cm"},  {"centimetres", "cm"}, {"micron", "um"},       {"microns", "um"},      {"newton", "N"},
-    {"newtons", "N"},      {"kilonewton", "kN"},  {"kilonewtons", "kN"},  {"kips", "kip"},        {"second", "s"},
-    {"seconds", "s"},      {"secs", "s"},         {"millisecond", "ms"},  {"milliseconds", "ms"}, {"minute", "min"},
-    {"minutes", "min"},    {"hour", "h"},         {"hours", "h"},         {"hertz", "Hz"},        {"degree", "deg"},
-    {"degrees", "deg"},    {"radian", "rad"},     {"radians", "rad"},     {"kilogram", "kg"},     {"kilograms", "kg"},
-    {"percent", "%"},      {"pascal", "Pa"},
+constexpr std::array<Word, 46> kUnitWords = {{
+    {"inch", "in"},        {"inches", "in"},      {"foot", "ft"},        {"feet", "ft"},         {"mils", "mil"},
+    {"meter", "m"},        {"meters", "m"},       {"metre", "m"},        {"metres", "m"},        {"millimeter", "mm"},
+    {"millimeters", "mm"}, {"millimetre", "mm"},  {"millimetres", "mm"}, {"centimeter", "cm"},   {"centimeters", "cm"},
+    {"centimetre", "cm"},  {"centimetres", "cm"}, {"micron", "um"},      {"microns", "um"},      {"newton", "N"},
+    {"newtons", "N"},      {"kilonewton", "kN"},  {"kilonewtons", "kN"}, {"kips", "kip"},        {"second", "s"},
+    {"seconds", "s"},      {"secs", "s"},         {"millisecond", "ms"}, {"milliseconds", "ms"}, {"minute", "min"},
+    {"minutes", "min"},    {"hour", "h"},         {"hours", "h"},        {"hertz", "Hz"},        {"degree", "deg"},
+    {"degrees", "deg"},    {"radian", "rad"},     {"radians", "rad"},    {"kilogram", "kg"},     {"kilograms", "kg"},
+    {"percent", "%"},      {"pascal", "Pa"},      {"mph", "mph"},        {"kph", "kph"},         {"kmh", "kmh"},
+    {"fps", "fps"},
 }};
 
 constexpr std::array<std::string_view, 4> kPounds = {"lb", "lbs", "pound", "pounds"};
@@ -63,9 +64,7 @@ std::string ShortName(std::string_view word) {
   return std::string(word);
 }
 
-bool IsPound(std::string_view word) {
-  return std::find(kPounds.begin(), kPounds.end(), Lower(word)) != kPounds.end();
-}
+bool IsPound(std::string_view word) { return std::find(kPounds.begin(), kPounds.end(), Lower(word)) != kPounds.end(); }
 
 std::string InRightCase(std::string_view word) {
   for (const std::string_view name : kNames)
@@ -84,7 +83,8 @@ std::string_view UnitOf(std::string_view text) {
 std::string WithProducts(std::string_view unit) {
   std::string text(unit);
   for (std::size_t k = 1; k + 1 < text.size(); ++k)
-    if (std::string_view(" -.").find(text[k]) != std::string_view::npos && IsLetter(text[k - 1]) && IsLetter(text[k + 1]))
+    if (std::string_view(" -.").find(text[k]) != std::string_view::npos && IsLetter(text[k - 1]) &&
+        IsLetter(text[k + 1]))
       text[k] = '*';
   return text;
 }

@@ -78,6 +78,7 @@ FitHooks Shown(const FitCommand& command, const FitOptions& options, std::option
     page.emplace(command.output, ValidUtf8(command.study.filename().string()));
     std::fprintf(stderr, "open %s to follow the fit\n", page->file().c_str());
   }
+  page->Begin();
   hooks.progress = [show = std::move(hooks.progress), &page](const FitProgress& progress) {
     show(progress);
     page->Show(progress);

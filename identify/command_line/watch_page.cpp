@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <utility>
 
@@ -52,20 +53,29 @@ std::string Values(const FitProgress& progress) {
 }  // namespace
 
 WatchPage::WatchPage(std::filesystem::path folder, std::string study)
-    : file_(std::move(folder) / "watch.html"), study_(std::move(study)) {
-  ReplaceFile(file_, Page(study_, "watch.html", kSecondsBetween, "<p>The fit begins ...</p>\n"));
+    : file_(std::move(folder) / kWatchPage), study_(std::move(study)) {
+  ReplaceFile(file_, Page(study_, kWatchPage, kSecondsBetween, "<p>The fit begins ...</p>\n"));
 }
 
 WatchPage::~WatchPage() {
-  if (!has_ended_) End("", "without results, for the reason that the terminal shows");
+  try {
+    if (!has_ended_) End("", "without results, for the reason that the terminal shows");
+  } catch (const std::exception&) {
+    // Out of memory, at worst.
+  }
 }
 
-void WatchPage::Write(const std::string& next, double wait_s, const std::string& body) const {
+void WatchPage::Write(const std::string& next, double wait_s, const std::function<std::string()>& body) const {
   try {
-    ReplaceFile(file_, Page(study_, next, wait_s, body));
-  } catch (const OutputError&) {
-    // The writers of results report a disk that is full.
+    ReplaceFile(file_, Page(study_, next, wait_s, body()));
+  } catch (const std::exception&) {
+    // No page is worth a fit; the writers of results report a disk that is full.
   }
+}
+
+void WatchPage::Begin() {
+  cost_.clear();
+  cost_s_.clear();
 }
 
 double WatchPage::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -117,15 +127,17 @@ void WatchPage::Show(const FitProgress& progress) {
   if (Clock::now() - written_ < std::chrono::duration<double>(kSecondsBetween)) return;
   written_ = Clock::now();
   const std::string best = std::isfinite(progress.best_cost) ? ", best cost " + Rounded(progress.best_cost, 5) : "";
-  Write("watch.html", kSecondsBetween,
-        "<p>" + html::Escaped(std::string(progress.stage)) + ": " + std::to_string(progress.paid) + " evaluations in " +
-            Rounded(seconds(), 3) + " s" + best + ".</p>\n" + Chart() + Stages() + Values(progress));
+  Write(kWatchPage, kSecondsBetween, [&] {
+    return "<p>" + html::Escaped(std::string(progress.stage)) + ": " + std::to_string(progress.paid) +
+           " evaluations in " + Rounded(seconds(), 3) + " s" + best + ".</p>\n" + Chart() + Stages() + Values(progress);
+  });
 }
 
 void WatchPage::End(const std::string& report, const std::string& how) {
   has_ended_ = true;
   const std::string link = report.empty() ? "" : " <a href=\"" + html::Escaped(report) + "\">Its report</a>";
-  Write(report, 0, "<p>The fit ended: " + html::Escaped(how) + "." + link + "</p>\n" + Chart() + Stages());
+  Write(report, 0,
+        [&] { return "<p>The fit ended: " + html::Escaped(how) + "." + link + "</p>\n" + Chart() + Stages(); });
 }
 
 }  // namespace fourpost

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ class WatchPage {
   ~WatchPage();
   WatchPage(const WatchPage&) = delete;
   WatchPage& operator=(const WatchPage&) = delete;
+
+  /// Another fit begins, as in growth, whose costs are no continuation of those before.
+  void Begin();
 
   /// Writes the page anew, unless the last one is fresh. A page that cannot be written ends no fit.
   void Show(const FitProgress& progress);
@@ -37,7 +41,7 @@ class WatchPage {
   };
 
   double seconds() const;
-  void Write(const std::string& next, double wait_s, const std::string& body) const;
+  void Write(const std::string& next, double wait_s, const std::function<std::string()>& body) const;
   void Note(const FitProgress& progress);
   std::string Stages() const;
   std::string Chart() const;

@@ -18,6 +18,19 @@ std::size_t PlaceOf(const Vehicle& vehicle, const std::string& name) {
   throw std::logic_error("plan: no parameter " + name);
 }
 
+/// In logarithms, as parameters that are like each other are.
+void AddRatios(const Vehicle& vehicle, KnownParameters& known) {
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    const auto& like = vehicle.parameters[i].like;
+    if (!like) continue;
+    Eigen::VectorXd ratio = Eigen::VectorXd::Zero(std::ssize(known.places));
+    for (std::size_t k = 0; k < known.places.size(); ++k)
+      ratio[static_cast<Eigen::Index>(k)] =
+          (known.places[k] == i ? 1 : 0) - (known.places[k] == vehicle.IndexOf(like->parameter) ? 1 : 0);
+    known.information += ratio * ratio.transpose() / (like->sd * like->sd);
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& matrix) {
@@ -51,6 +64,7 @@ KnownParameters KnownByRanges(const Vehicle& vehicle) {
   }
   known.slopes = Eigen::Map<const Eigen::VectorXd>(slopes.data(), std::ssize(slopes));
   known.information = Eigen::Map<const Eigen::VectorXd>(information.data(), std::ssize(information)).asDiagonal();
+  AddRatios(vehicle, known);
   return known;
 }
 

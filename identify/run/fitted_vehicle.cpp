@@ -44,6 +44,8 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
     // The data are in the value now: known before them, they would count twice.
     parameter.prior_sd.reset();
     parameter.like.reset();
+    for (Parameter& other : vehicle.parameters)
+      if (other.like && other.like->parameter == parameter.name) other.like.reset();
   }
   return vehicle;
 }

@@ -292,8 +292,11 @@ class Grower {
       if (one.at_bound) reached.push_back({one.name, std::string(one.BoundName())});
     if (reached.empty()) return false;
     const LoadedStudy study = LoadSoundStudy(origin_.StudyOf(step));
-    // From where it came to, so that it ends no higher.
-    const std::string fitted = VehicleTextWithValues(study.vehicle, grown_.fit.fit.values, request_.output / folder);
+    // From where it came to, so that it ends no higher; priors stay where they are.
+    std::vector<double> values = grown_.fit.fit.values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (study.vehicle.HasPrior(i)) values[i] = study.vehicle.parameters[i].value;
+    const std::string fitted = VehicleTextWithValues(study.vehicle, values, request_.output / folder);
     const std::optional<std::string> vehicle = WithWiderBounds(fitted, reached);
     if (!vehicle) return false;
     OutputFolder output(request_.output / folder, "", "study.yaml");

@@ -285,14 +285,17 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
 
 bool ContradictsAnAudit(const Diagnostic& finding) {
   return finding.id == kPostsMoveOtherwise.id() || finding.id == kWheelpanForgotten.id() ||
-         finding.id == kWheelpanTakenOut.id() || finding.id == kRigAmplitude.id() || finding.id == kSineThousandfold.id();
+         finding.id == kWheelpanTakenOut.id() || finding.id == kRigAmplitude.id() ||
+         finding.id == kSineThousandfold.id();
 }
 
 std::string NoAuditText(const LoadedStudy& study, const Diagnostics& findings) {
   const std::vector<Diagnostic>& all = findings.items();
   if (const auto found = std::find_if(all.begin(), all.end(), ContradictsAnAudit); found != all.end())
-    return "no audit of the rig: it takes amplitudes, motions of posts and wheelpans as stated, and they are not; correct "
-           "[" + found->id + "] first\n";
+    return "no audit of the rig: it takes amplitudes, motions of posts and wheelpans as stated, and they are not; "
+           "correct "
+           "[" +
+           found->id + "] first\n";
   const TimeHistories* const histories = study.study.experiments.Find<TimeHistories>();
   std::string unfit;
   for (std::size_t h = 0; histories != nullptr && h < histories->fitted.size(); ++h) {

@@ -31,7 +31,8 @@ double ReadFactor(const StrictMap& map, const std::string& what) {
 
 std::string ReadUnit(const StrictMap& map, const std::string& what) {
   const std::string unit = map.Text("unit").value_or("");
-  if (!unit.empty() && !ParseRecordedUnit(unit)) map.Fault(map.Get("unit"), kChannelSourceUnit, {what, unit, RecordedUnitHint(unit)});
+  if (!unit.empty() && !ParseRecordedUnit(unit))
+    map.Fault(map.Get("unit"), kChannelSourceUnit, {what, unit, RecordedUnitHint(unit)});
   return unit;
 }
 

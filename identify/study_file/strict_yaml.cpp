@@ -146,8 +146,9 @@ std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dime
   const std::optional<Quantity> quantity = node.IsScalar() ? ParseQuantity(node.Scalar()) : std::nullopt;
   // Angles are pure numbers, but degrees or radians must be written.
   if (quantity && quantity->unit.dimension == dimension && !quantity->unit_text.empty()) return quantity->si;
-  diagnostics.Report(kKeyNotQuantity, {file, LineOf(node)},
-                     {what, UnitExample(dimension), node.IsScalar() ? ", got '" + node.Scalar() + "'" + UnitHint(node.Scalar()) : ""});
+  diagnostics.Report(
+      kKeyNotQuantity, {file, LineOf(node)},
+      {what, UnitExample(dimension), node.IsScalar() ? ", got '" + node.Scalar() + "'" + UnitHint(node.Scalar()) : ""});
   return std::nullopt;
 }
 

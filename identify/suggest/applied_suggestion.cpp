@@ -55,7 +55,7 @@ AppliedSuggestion Apply(const LoadedStudy& study, const SuggestedAddition& sugge
   const auto set = [&](const std::string& name, double value) {
     for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
       const Parameter& parameter = vehicle.parameters[i];
-      if (parameter.name == name && !parameter.prior_sd)
+      if (parameter.name == name && !vehicle.HasPrior(i))
         all[i] = std::clamp(AtDigits(value, 6), parameter.lower, parameter.upper);
     }
   };

@@ -1,5 +1,6 @@
 #include "identify/suggest/fitted_dampers.h"
 
+#include <tuple>
 #include <utility>
 
 namespace fourpost {
@@ -11,14 +12,31 @@ bool AreSameEnds(const ForceLine& a, const ForceLine& b) {
          (a.parent.xyz - b.parent.xyz).norm() < kNear && (a.child.xyz - b.child.xyz).norm() < kNear;
 }
 
+bool HasPoints(const DashpotDescription& law) {
+  return law.kind == DashpotDescription::Kind::kTable || law.kind == DashpotDescription::Kind::kCurve;
+}
+
+/// In bump and rebound; of a curve at the speed at which `check` takes it.
+std::pair<double, double> RatesOf(const DashpotDescription& law, const std::vector<double>& values) {
+  constexpr double kSpeed = 0.1;
+  if (!HasPoints(law)) return {law.compression.At(values), law.rebound.At(values)};
+  DashpotDescription bare = law;
+  bare.friction.reset();
+  const DashpotLaw curve = bare.At(values);
+  return {curve.Force(-kSpeed) / -kSpeed, curve.Force(kSpeed) / kSpeed};
+}
+
+bool IsFrictionAlone(const DashpotDescription& law) {
+  return !HasPoints(law) && law.compression.IsZero() && law.rebound.IsZero();
+}
+
 }  // namespace
 
 FittedDampers::FittedDampers(const AdditionSource& source) : source_(source) {
   for (const Damper& damper : source.vehicle().dampers) {
     FittedDamper one{&damper};
     if (!damper.hydraulic) {
-      one.bump = damper.law.compression.At(source.values());
-      one.rebound = damper.law.rebound.At(source.values());
+      std::tie(one.bump, one.rebound) = RatesOf(damper.law, source.values());
     }
     dampers_.push_back(one);
     lines_.push_back(damper.line);
@@ -49,7 +67,7 @@ bool FittedDampers::PutFrictionInside(const AdditionSource::Group& group, Vehicl
   for (const std::size_t i : group) {
     const Damper* friction = FrictionBeside(dampers_[i]);
     if (!friction || friction == dampers_[i].damper || friction->hydraulic || friction->law.Sticks()) return false;
-    if (!friction->law.compression.IsZero() || !friction->law.rebound.IsZero()) return false;
+    if (!IsFrictionAlone(friction->law)) return false;
     frictions.push_back(friction->name);
   }
   const std::vector<std::string> dampers = source_.WrittenOf("fp:damper", NamesOf(group));

@@ -1,5 +1,6 @@
 #include "vehicles/description/vehicle.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace fourpost {
@@ -36,6 +37,13 @@ std::optional<std::size_t> Vehicle::IndexOf(std::string_view parameter) const {
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (parameters[i].name == parameter) return i;
   return std::nullopt;
+}
+
+bool Vehicle::HasPrior(std::size_t parameter) const {
+  const Parameter& one = parameters[parameter];
+  return one.prior_sd || one.like || std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& other) {
+           return other.like && other.like->parameter == one.name;
+         });
 }
 
 std::vector<double> Vehicle::ParameterValues() const {

@@ -305,6 +305,9 @@ struct Vehicle {
 
   /// Index of the parameter of this name.
   std::optional<std::size_t> IndexOf(std::string_view parameter) const;
+  /// Whether what is known before a fit is about the value that this parameter has in the file: by a prior_sd, or by a
+  /// ratio to another one.
+  bool HasPrior(std::size_t parameter) const;
   /// Parameter values of the file.
   std::vector<double> ParameterValues() const;
 

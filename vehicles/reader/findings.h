@@ -96,6 +96,9 @@ inline const Finding kBoundsIncomplete{"bounds-incomplete", Severity::kError,
 inline const Finding kLikeIncomplete{"like-incomplete", Severity::kError, "{} has one of like and like_sd",
                                      "give both: the name of another parameter, and how far their ratio may be off"};
 inline const Finding kLikeUnknown{"like-unknown", Severity::kError, "{} is no other parameter{}", ""};
+inline const Finding kLikeEachOther{"like-each-other", Severity::kError,
+                                    "{} states a ratio that '{}' states already, so it would count twice",
+                                    "state it at one of the two"};
 inline const Finding kLikeOfOtherDimension{"like-of-other-dimension", Severity::kError, "{} is {}, not {}",
                                            "name a parameter of the same kind"};
 inline const Finding kLikeNotPositive{"like-not-positive", Severity::kError,

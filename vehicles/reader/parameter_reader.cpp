@@ -206,6 +206,10 @@ void ParameterReader::ReadLikeness(const Tag& tag, Parameter& parameter) const {
   const auto i = static_cast<std::size_t>(found->second);
   const Parameter& other = parameters_[i];
   if (!sound_[i]) return;
+  if (other.like && other.like->parameter == parameter.name) {
+    Fault(tag, "like", {&kLikeEachOther, {other.name}});
+    return;
+  }
   if (other.dimension != parameter.dimension) {
     Fault(tag, "like", {&kLikeOfOtherDimension, {WithArticle(other.dimension), WithArticle(parameter.dimension)}});
     return;

@@ -33,7 +33,8 @@ std::optional<double> ReadQuantity(const std::string& text, const Dimension& dim
   const std::optional<Quantity> quantity = ParseQuantity(text);
   const std::optional<double> si = quantity ? SiOf(*quantity, dimension) : std::nullopt;
   const Place place = Place::Option(option);
-  if (!si) diagnostics.Report(kOptionQuantity, place, {text, DimensionName(dimension), UnitHint(text), Example(dimension)});
+  if (!si)
+    diagnostics.Report(kOptionQuantity, place, {text, DimensionName(dimension), UnitHint(text), Example(dimension)});
   else if (sign == OptionSign::kPositive && !(*si > 0)) diagnostics.Report(kOptionNotPositive, place, {text});
   else return si;
   return std::nullopt;

@@ -9,8 +9,8 @@
 namespace fourpost {
 namespace {
 
-/// Numbers of each recording [8 bytes].
-constexpr std::size_t kMostNumbers = 4'000'000;
+/// Numbers of all recordings [8 bytes].
+constexpr std::size_t kMostNumbers = 16'000'000;
 constexpr std::size_t kMostForces = 64;
 
 }  // namespace
@@ -51,7 +51,7 @@ std::shared_ptr<const std::vector<double>> ForceMemory::Of(std::size_t place, co
   ++modelled_;
   known.push_front({std::move(key), force});
   const std::size_t most =
-      std::clamp<std::size_t>(kMostNumbers / std::max<std::size_t>(1, force->size()), 2, kMostForces);
+      std::clamp<std::size_t>(kMostNumbers / std::max<std::size_t>(1, known_.size() * force->size()), 2, kMostForces);
   if (known.size() > most) known.pop_back();
   return force;
 }

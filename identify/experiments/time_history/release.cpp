@@ -155,10 +155,15 @@ EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& res
   for (int i = 0; i < kMost; ++i) {
     for (Index j = 0; j < count; ++j) {
       VectorXd moved = out.unknowns;
+      const double step = std::min(kApart, 0.01 * reach[j]);
       // Inward.
-      const double apart = moved[j] + kApart > reach[j] ? -kApart : kApart;
+      const double apart = moved[j] + step > reach[j] ? -step : step;
       moved[j] += apart;
-      jacobian.col(j) = (residuals(moved) - now) / apart;
+      if (apart == 0) jacobian.col(j).setZero();
+      else jacobian.col(j) = (residuals(moved) - now) / apart;
+      // What would leave its reach stays, and is known there.
+      const double outward = -jacobian.col(j).dot(now) * out.unknowns[j];
+      if (std::abs(out.unknowns[j]) >= reach[j] && outward > 0) jacobian.col(j).setZero();
     }
     const MatrixXd normal = jacobian.transpose() * jacobian;
     const VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });

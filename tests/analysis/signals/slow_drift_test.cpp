@@ -68,8 +68,7 @@ Signal Warming(Signal signal, double size) {
 TEST(SlowDrift, IsFoundOfRandomMotionAndOfASine) {
   RandomStream random(5, "drift");
   for (const double share : {-0.05, 0.02, 0.05}) {
-    const Signal sine =
-        WithNoise(Sampled([](double t) { return OneSided(Swing(1.3 * t), 0.4); }), 0.01, random);
+    const Signal sine = WithNoise(Sampled([](double t) { return OneSided(Swing(1.3 * t), 0.4); }), 0.01, random);
     const double of_sine = share * PeakOf(sine);
     ASSERT_TRUE(SlowDrift(Warming(sine, of_sine))) << share;
     EXPECT_NEAR(*SlowDrift(Warming(sine, of_sine)) / of_sine, 1, 0.15);
@@ -80,8 +79,8 @@ TEST(SlowDrift, IsFoundOfRandomMotionAndOfASine) {
   }
 }
 
-// Sweeps up and down, steps, fades of a damper that warms up, random motion down to a tenth of a hertz, alone and as the
-// force of a damper whose sides differ.
+// Sweeps up and down, steps, fades of a damper that warms up, random motion down to a tenth of a hertz, alone and as
+// the force of a damper whose sides differ.
 TEST(SlowDrift, IsNotSeenInWhatDoesNotDrift) {
   RandomStream random(9, "clean");
   const auto between = [&](double least, double most) { return least + (most - least) * random.Uniform(); };

@@ -11,9 +11,16 @@ TEST(UnitSpelling, OfWordsIsShort) {
   const struct {
     const char* text;
     const char* shorter;
-  } cases[] = {{"inches", "in"},      {"Newtons", "N"},  {"METERS/second^2", "m/s^2"}, {"feet/Second", "ft/s"},
-               {"degrees/s", "deg/s"}, {"percent", "%"},  {"mm", "mm"},                 {"lbs", "lbs"},
-               {"furlong", "furlong"}, {"", ""}};
+  } cases[] = {{"inches", "in"},
+               {"Newtons", "N"},
+               {"METERS/second^2", "m/s^2"},
+               {"feet/Second", "ft/s"},
+               {"degrees/s", "deg/s"},
+               {"percent", "%"},
+               {"mm", "mm"},
+               {"lbs", "lbs"},
+               {"furlong", "furlong"},
+               {"", ""}};
   for (const auto& [text, shorter] : cases) EXPECT_EQ(WithShortNames(text), shorter);
 }
 

@@ -51,6 +51,13 @@ TEST_F(ParameterLikeness, NeedsAnotherParameter) {
   Refuses(R"(like="k_helper" like_sd="0.2")", kLikeUnknown);
 }
 
+TEST_F(ParameterLikeness, StatesARatioOnce) {
+  const std::string text = Replaced(WithLike(R"(like="k" like_sd="0.2")"), R"(precision="0.01 N/mm" source="bench"/>)",
+                                    R"(precision="0.01 N/mm" like="k_helper" like_sd="0.2" source="bench"/>)");
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(LineOf(text, "like=\"k\""), kLikeEachOther, {"k"});
+}
+
 TEST_F(ParameterLikeness, NeedsOneOfTheSameKind) { Refuses(R"(like="m_body" like_sd="0.2")", kLikeOfOtherDimension); }
 
 TEST_F(ParameterLikeness, NeedsADeviationAboveZero) { Refuses(R"(like="k" like_sd="0")", kNumberNotPositive); }
