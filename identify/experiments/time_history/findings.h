@@ -34,6 +34,10 @@ inline const Finding kHistoryAllSaturated{"history-all-saturated", Severity::kEr
 inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kError,
                                          "history '{}' does not state how post '{}' moved",
                                          "name the channel of its height under 'posts'"};
+inline const Finding kReleaseOfStudy{"release-of-study", Severity::kWarning,
+                                     "{} is predicted from where the study lets the vehicle go: {}",
+                                     "of another height, make it a history of the study with 'use: validation' and a "
+                                     "'release' of its own"};
 inline const Finding kReleaseUnknown{
     "release-unknown", Severity::kError, "'release' of {} is '{}'",
     "state 'estimated' (any pose and velocity), 'at rest' (any pose), or the readings above rest of displacement "
@@ -106,10 +110,10 @@ inline const Finding kPostSaturated{
     "exclude it from the window by 'start' and 'end' of the history, or record it with a larger range", Weight::kGrave};
 inline const Finding kChannelSpiked{
     "channel-spiked", Severity::kWarning,
-    "'{}' of '{}' has wild values, as of a lost bit or a loose plug: {}, the first {} from the mean at {}; the fit follows "
+    "'{}' of '{}' has wild values, as of a lost bit or a loose plug: {}, the first {} from the mean at {}; the fit "
+    "follows "
     "them",
-    "leave such fields empty and state 'bridge', or fit by a robust loss ('loss' of 'refine')",
-    Weight::kGrave};
+    "leave such fields empty and state 'bridge', or fit by a robust loss ('loss' of 'refine')", Weight::kGrave};
 inline const Finding kChannelDrifts{
     "channel-drifts", Severity::kWarning,
     "'{}' of '{}' drifts by {} over {} beside its motion, and no post does, as of a sensor that warms up",
@@ -118,14 +122,13 @@ inline const Finding kTimesClosedUp{
     "times-closed-up", Severity::kWarning,
     "a post and a displacement of '{}' jump at {}{}, as where rows are missing and times were closed up",
     "give the rows the times at which they were recorded"};
-inline const Finding kInputUnknown{
-    "input-unknown", Severity::kWarning,
-    "no measurement of {} in '{}' from {} to {}{}: the vehicle's motion is unknown there and for {} s after, until it has "
-    "settled, so these samples have no weight ({} % of all)",
-    "record without gaps where more is needed"};
+inline const Finding kInputUnknown{"input-unknown", Severity::kWarning,
+                                   "no measurement of {} in '{}' from {} to {}{}: the vehicle's motion is unknown "
+                                   "there and for {} s after, until it has "
+                                   "settled, so these samples have no weight ({} % of all)",
+                                   "record without gaps where more is needed"};
 inline const Finding kInputNeverKnown{
-    "input-never-known", Severity::kError,
-    "gaps in {} of '{}' leave no samples at which the vehicle's motion is known",
+    "input-never-known", Severity::kError, "gaps in {} of '{}' leave no samples at which the vehicle's motion is known",
     "record it again, or cut the recording to a stretch without gaps by 'start' and 'end'"};
 inline const Finding kPostsUnitMistaken{
     "posts-unit-mistaken", Severity::kError,

@@ -50,6 +50,7 @@ class HistoryPrediction {
     const MeasuredHistory& history = histories.front();
     const HistoryResiduals reduced(subject_.Condensed(), histories, {});
     const std::vector<double> values = subject_.vehicle().ParameterValues();
+    WarnOfRelease(history, results.findings);
     LintTyrePulls(subject_.vehicle(), values, histories, reduced.Steps(), results.findings);
     WarnOfLeaving(ReadCovered(request_.run / "result.json"),
                   CoveredByHistories(subject_.vehicle(), values, histories, reduced.Steps()),
@@ -79,6 +80,18 @@ class HistoryPrediction {
   }
 
  private:
+  /// The recording does not say from where it was let go.
+  void WarnOfRelease(const MeasuredHistory& history, Diagnostics& findings) const {
+    std::string heights;
+    if (history.release)
+      for (const Release::Hold& hold : history.release->held)
+        if (hold.reading_m)
+          heights += (heights.empty() ? "" : ", ") + hold.sensor + " " + Rounded(1e3 * *hold.reading_m, 4) + " mm";
+    if (!heights.empty())
+      findings.Report(kReleaseOfStudy, {request_.recording.string()},
+                      {request_.recording.filename().string(), heights});
+  }
+
   void AddBands(const HistoryResiduals& reduced, const Eigen::MatrixXd& modelled, ExperimentResults& results) const {
     if (!request_.spread) return;
     hooks_.Show(reduced.histories().front().name + ": bands");
