@@ -13,10 +13,14 @@ std::vector<std::string_view> KeysOf(ChannelKind kind) {
   switch (kind) {
     case ChannelKind::kHistory:
       return {"channel", "sign", "scale", "unit", "delay", "offset", "trend", "high_pass", "integrate"};
+    case ChannelKind::kCurve: return {"channel", "sign", "scale", "unit"};
     case ChannelKind::kLoad: break;
   }
   return {"channel", "sign", "scale"};
 }
+
+/// A point of a curve is one measurement.
+bool Combines(ChannelKind kind) { return kind != ChannelKind::kCurve; }
 
 /// Of a high-pass.
 constexpr double kLowest_Hz = 1e-6;
@@ -54,7 +58,7 @@ ChannelSource ReadSource(const YAML::Node& node, const std::string& name, Channe
                          Diagnostics& diagnostics) {
   ChannelSource source;
   source.line = LineOf(node);
-  if (!IsCombination(node)) {
+  if (!IsCombination(node) || !Combines(kind)) {
     source.channels.push_back(ReadSourceChannel(node, "'" + name + "'", kind, file, diagnostics));
     return source;
   }
@@ -74,7 +78,7 @@ bool HasUnknownKeys(const YAML::Node& node, const std::string& what, ChannelKind
                     Diagnostics& diagnostics) {
   if (!node.IsMap()) return false;
   std::vector<std::string_view> keys = KeysOf(kind);
-  keys.insert(keys.end(), {"mean", "sum"});
+  if (Combines(kind)) keys.insert(keys.end(), {"mean", "sum"});
   const std::size_t before = diagnostics.items().size();
   const StrictMap map(node, what, keys, file, diagnostics);
   return diagnostics.items().size() > before;

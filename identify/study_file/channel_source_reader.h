@@ -11,8 +11,8 @@
 
 namespace fourpost {
 
-/// What a study may say of a channel: loads have units of their own and no time.
-enum class ChannelKind { kHistory, kLoad };
+/// What a study may say of a channel: loads have units of their own and no time, points of curves no time either.
+enum class ChannelKind { kHistory, kLoad, kCurve };
 
 /// A channel: its name, or {channel: name, unit: mm, sign: -1, scale: 1.02, delay: 2 ms}; `what` names it in messages.
 SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what, ChannelKind kind,

@@ -61,8 +61,10 @@ std::string Negated(const std::string& text) {
 /// Of a length with its unit, or of a parameter: "2 mm", "$dy", "-0.5*$dy".
 std::string NegatedShift(const std::string& text) {
   const std::string shift(Trimmed(text));
+  if (const auto quantity = ParseQuantity(shift); quantity && quantity->si == 0) return shift;
   if (shift.starts_with('-')) return shift.substr(1);
-  return shift.empty() ? shift : "-" + shift;
+  const std::string magnitude = shift.starts_with('+') ? shift.substr(1) : shift;
+  return magnitude.empty() ? shift : "-" + magnitude;
 }
 
 std::string Mirrored(const std::string& text, VectorKind kind) {

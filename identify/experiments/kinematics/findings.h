@@ -16,6 +16,9 @@ inline const Finding kKinematicNameTwice{"kinematics-name-twice", Severity::kErr
                                          "two tables of 'kinematics' have the name '{}'", "rename one with 'name'"};
 inline const Finding kKinematicUse{"kinematics-use", Severity::kError, "{} must be 'fit' or 'validation'"};
 inline const Finding kKinematicCase{"kinematics-case", Severity::kError, "{} must be 'together' or 'opposed'"};
+inline const Finding kKinematicPositionTwice{"kinematics-position-twice", Severity::kError,
+                                             "{} cannot be given beside '{}'",
+                                             "keep the one that the curves are measured over"};
 inline const Finding kKinematicNoiseNotMapped{
     "kinematics-noise-not-mapped", Severity::kError,
     "'noise' must map the quantities to fit to the standard deviation of one measurement",
@@ -47,10 +50,10 @@ inline const Finding kKinematicMotionUnknown{
 inline const Finding kKinematicWheelUnknown{"kinematics-wheel-unknown", Severity::kError,
                                             "axle '{}' has no wheel '{}'{}", "correct the name"};
 inline const Finding kKinematicNotReached{
-    "kinematics-not-reached", Severity::kError, "the suspension of axle '{}' reaches no {} of {}, which '{}' has",
+    "kinematics-not-reached", Severity::kError, "axle '{}' cannot reach {} = {} ('{}')",
     "correct its points if the car travels as far, else cut the table, and check unit and sign of the travel"};
 inline const Finding kKinematicRigid{"kinematics-rigid", Severity::kError,
-                                     "'{}' measures how axle '{}' yields, and nothing of its linkage does",
+                                     "'{}' is a compliance table, but the linkage of axle '{}' is rigid",
                                      "put an fp:bushing where it has rubber, or remove the table"};
 inline const Finding kKinematicNotOfVehicle{"kinematics-not-of-vehicle", Severity::kError,
                                             "axle '{}' has no {} in {}, which '{}' measures",
@@ -60,8 +63,13 @@ inline const Finding kKinematicNotOfVehicle{"kinematics-not-of-vehicle", Severit
 
 inline const Finding kKinematicPositionMissing{"kinematics-position-missing", Severity::kError, "no column '{}'",
                                                "name the column in the study, as `{}: {channel: NAME, unit: {}}`"};
+inline const Finding kKinematicPer{"kinematics-per", Severity::kError, "'per' is '{}', which is no {}",
+                                   "write a number with its unit, such as 1 {}"};
+inline const Finding kKinematicRowsSkipped{"kinematics-rows-skipped", Severity::kWarning,
+                                           "{} rows of '{}' are not used, the first in {}: {}",
+                                           "complete them, or remove them from the table"};
 inline const Finding kKinematicQuantityMissing{
-    "kinematics-quantity-missing", Severity::kError, "'noise' names '{}', and '{}' has no such column with numbers",
+    "kinematics-quantity-missing", Severity::kError, "no numeric column for '{}' in '{}'",
     "map one by 'channels', as {}: NAME, or remove it from 'noise'; the columns are {}"};
 inline const Finding kKinematicColumnUnit{"kinematics-column-unit", Severity::kError,
                                           "column '{}' has {}, and {} is needed",

@@ -18,7 +18,7 @@ struct KinematicColumn {
   std::string name;
   /// As written; empty: none.
   std::string unit;
-  /// Whether its first row is no number.
+  /// Whether its first field that is not empty is no number.
   bool is_text = false;
 };
 
@@ -36,7 +36,10 @@ struct QuantityName {
 };
 std::optional<QuantityName> ParseQuantityName(const std::string& name);
 
-/// Whether a table is of a rig: a travel or a load, and a quantity over it.
+/// Whether a table has a column of travel, force or torque by its name, and no times.
+bool HasRigPosition(const RecordedTable& table);
+
+/// Whether a table is of a rig: a travel or a load, a quantity over it, and no times.
 bool IsKinematicTable(const RecordedTable& table);
 
 }  // namespace fourpost

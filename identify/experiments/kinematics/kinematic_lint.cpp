@@ -39,8 +39,10 @@ void LintKinematicSigns(std::span<const KinematicMisfit> misfits, const std::str
   for (const KinematicMisfit& one : misfits) {
     const auto count = std::ssize(one.curve->measured);
     const Eigen::Map<const Eigen::VectorXd> all(one.curve->measured.data(), count);
-    const Eigen::VectorXd measured = all.array() - (one.sweep->load ? 0 : all.mean());
-    const Eigen::VectorXd modelled = one.modelled.array() - (one.sweep->load ? 0 : one.modelled.mean());
+    // Under a load the changes themselves have signs, unless a constant is added to them.
+    const bool is_centred = !one.sweep->load || one.curve->has_free_offset;
+    const Eigen::VectorXd measured = all.array() - (is_centred ? all.mean() : 0);
+    const Eigen::VectorXd modelled = one.modelled.array() - (is_centred ? one.modelled.mean() : 0);
     const double least = kAboveNoise * one.curve->sd * std::sqrt(static_cast<double>(count));
     if (measured.norm() < least || modelled.norm() < least) continue;
     if (measured.dot(modelled) < kOpposite * measured.norm() * modelled.norm())

@@ -40,11 +40,13 @@ OneAxle Whole(const Vehicle& vehicle) {
   return all;
 }
 
-/// A strut of the whole vehicle among those of a part of it.
-std::size_t PlaceOf(const AxleStrut& strut, const std::vector<AxleStrut>& part) {
-  const auto found = std::find_if(
-      part.begin(), part.end(), [&](const AxleStrut& one) { return one.kind == strut.kind && one.name == strut.name; });
-  return found == part.end() ? kNone : static_cast<std::size_t>(found - part.begin());
+/// Of what a curve measures: place of its wheel, or of its strut among these.
+std::size_t PlaceOf(const KinematicCurve& curve, const std::vector<AxleStrut>& struts) {
+  if (curve.quantity->of != KinematicQuantity::Of::kStrut) return curve.of;
+  const auto found = std::find_if(struts.begin(), struts.end(), [&](const AxleStrut& one) {
+    return one.kind == curve.strut_kind && one.name == curve.of_name;
+  });
+  return found == struts.end() ? kNone : static_cast<std::size_t>(found - struts.begin());
 }
 
 }  // namespace
@@ -136,18 +138,15 @@ KinematicModel::KinematicModel(const Vehicle& vehicle, std::vector<KinematicSwee
     : vehicle_(vehicle), sweeps_(std::move(sweeps)) {
   if (sweeps_.empty()) return;
   const Suspension suspension = SuspensionOf(vehicle, DesignKinematics(vehicle), vehicle.ParameterValues());
-  const std::vector<AxleStrut> struts = StrutsOf(vehicle);
   const bool needs_whole = NeedsWhole(sweeps_) || suspension.chassis < 0;
   for (const KinematicSweep& sweep : sweeps_) {
     if (!axles_.contains(sweep.axle)) {
       axles_[sweep.axle] = needs_whole ? Whole(vehicle) : OneAxleOf(vehicle, suspension, sweep.axle);
       place_in_[sweep.axle] = needs_whole ? sweep.axle : 0;
     }
-    const std::vector<AxleStrut> part = StrutsOf(axles_[sweep.axle].vehicle);
+    const std::vector<AxleStrut> struts = StrutsOf(axles_[sweep.axle].vehicle);
     of_.emplace_back();
-    for (const KinematicCurve& curve : sweep.curves)
-      of_.back().push_back(curve.quantity->of == KinematicQuantity::Of::kStrut ? PlaceOf(struts[curve.of], part)
-                                                                               : curve.of);
+    for (const KinematicCurve& curve : sweep.curves) of_.back().push_back(PlaceOf(curve, struts));
   }
   const std::vector<bool> moves = MovePoints(vehicle);
   if (std::none_of(moves.begin(), moves.end(), [](bool one) { return one; }))

@@ -21,7 +21,8 @@ class PlanReader {
   PlanReader(const StrictMap& study, const YAML::Node& entry)
       : study_(study),
         map_(entry, "a table of 'kinematics'",
-             {"name", "file", "axle", "motion", "case", "travel", "force", "channels", "noise", "offset", "use"},
+             {"name", "file", "axle", "motion", "case", "travel", "force", "torque", "channels", "noise", "offset",
+              "use"},
              study.file(), study.diagnostics()) {}
 
   KinematicPlan Read() {
@@ -33,12 +34,9 @@ class PlanReader {
     plan_.axle = map_.Text("axle").value_or("");
     plan_.motion = map_.Text("motion").value_or("");
     ReadWords();
-    for (const char* key : {"travel", "force"})
-      if (map_.Has(key))
-        plan_.position = ReadSourceChannel(map_.Get(key), "'" + std::string(key) + "'", ChannelKind::kHistory,
-                                           map_.file(), map_.diagnostics());
+    ReadPosition();
     if (map_.Has("channels"))
-      plan_.channels = ReadChannelSources(map_.Get("channels"), "'channels'", "quantities", ChannelKind::kHistory,
+      plan_.channels = ReadChannelSources(map_.Get("channels"), "'channels'", "quantities", ChannelKind::kCurve,
                                           map_.file(), map_.diagnostics());
     if (const YAML::Node noise = map_.Require("noise"); noise.IsDefined()) ReadNoise(noise);
     if (map_.Has("offset")) ReadOffset(map_.Get("offset"));
@@ -46,6 +44,20 @@ class PlanReader {
   }
 
  private:
+  void ReadPosition() {
+    std::string first;
+    for (const std::string key : {"travel", "force", "torque"}) {
+      if (!map_.Has(key)) continue;
+      if (!first.empty()) {
+        map_.FaultOf(key, kKinematicPositionTwice, {first});
+        continue;
+      }
+      first = key;
+      plan_.position =
+          ReadSourceChannel(map_.Get(key), "'" + key + "'", ChannelKind::kCurve, map_.file(), map_.diagnostics());
+    }
+  }
+
   void ReadWords() {
     if (const auto use = map_.Text("use")) {
       plan_.is_validation = *use == "validation";

@@ -15,8 +15,10 @@ namespace fourpost {
 /// One measured quantity over the positions of a sweep.
 struct KinematicCurve {
   const KinematicQuantity* quantity = nullptr;
-  /// Place of the wheel in Axle::wheels, or of the strut in StrutsOf().
+  /// Of a wheel: place in Axle::wheels.
   std::size_t of = 0;
+  /// Of a strut, whose name is `of_name`: a place in StrutsOf() would shift where a vehicle is given another strut.
+  AxleStrut::Kind strut_kind = AxleStrut::Kind::kSpring;
   /// "front_tyre_left", "front", "front_coil_left".
   std::string of_name;
   /// Of each point: place in KinematicSweep::positions, and what was measured, SI.

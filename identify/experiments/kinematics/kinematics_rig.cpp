@@ -44,9 +44,7 @@ bool HasColumnsOf(const RecordedTable& table, const KinematicPlan& plan) {
   const std::vector<KinematicColumn> columns = KinematicColumns(table);
   const auto has = [&](const std::string& name) { return table.FindColumn(name).has_value(); };
   if (plan.position && !has(plan.position->name)) return false;
-  if (!plan.position && !IsKinematicTable(table) && !FindKinematicColumn(columns, "force", false) &&
-      !FindKinematicColumn(columns, "torque", false))
-    return false;
+  if (!plan.position && !HasRigPosition(table)) return false;
   return std::any_of(plan.noise.begin(), plan.noise.end(), [&](const KinematicPlan::Noise& noise) {
     const auto is_of = [&](const std::string& name) {
       const std::optional<QuantityName> parsed = ParseQuantityName(name);

@@ -39,14 +39,15 @@ const std::string& MeasuredAxles::WheelName(std::size_t place, std::size_t axle)
   return suspension_.wheels[suspension_.axles[axle].wheels[place]].name;
 }
 
-std::optional<std::size_t> MeasuredAxles::StrutNamed(const std::string& name) const {
-  return IndexOf(name, NamesOf(struts_));
+const AxleStrut* MeasuredAxles::StrutNamed(const std::string& name) const {
+  const std::optional<std::size_t> place = IndexOf(name, NamesOf(struts_));
+  return place ? &struts_[*place] : nullptr;
 }
 
 bool MeasuredAxles::IsKnown(const KinematicQuantity& quantity, const std::string& of) const {
   switch (quantity.of) {
     case KinematicQuantity::Of::kAxle: return of.empty();
-    case KinematicQuantity::Of::kStrut: return of.empty() || StrutNamed(of);
+    case KinematicQuantity::Of::kStrut: return of.empty() || StrutNamed(of) != nullptr;
     case KinematicQuantity::Of::kWheel: break;
   }
   return of.empty() || of == "left" || of == "right" || IndexOf(of, NamesOf(suspension_.wheels));

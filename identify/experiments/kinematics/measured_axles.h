@@ -21,8 +21,8 @@ class MeasuredAxles {
   /// Place in Axle::wheels: by the tyre's name, or "left" and "right" of an axle with one wheel a side.
   std::optional<std::size_t> WheelNamed(const std::string& name, std::size_t axle) const;
   const std::string& WheelName(std::size_t place, std::size_t axle) const;
-  /// Place in StrutsOf().
-  std::optional<std::size_t> StrutNamed(const std::string& name) const;
+  /// Null for an unknown name.
+  const AxleStrut* StrutNamed(const std::string& name) const;
   /// Whether a quantity may be of this on some axle.
   bool IsKnown(const KinematicQuantity& quantity, const std::string& of) const;
   /// Whether all axles have one wheel.

@@ -92,6 +92,10 @@ TEST(SourceText, IsWhatTheReaderReads) {
 TEST(ChannelSourceReader, RefusesKeysOfAnotherKindOfData) {
   EXPECT_EQ(Good("{channel: b, unit: mm, delay: 1 ms}").channels.at(0).delay_s, 0.001);
   EXPECT_THAT(Faults("{channel: b, delay: 1 ms}", ChannelKind::kLoad), Reports(kKeyUnknown, 1, {"'delay'"}));
+  EXPECT_EQ(Good("{channel: b, unit: mm, sign: -1, scale: 2}", ChannelKind::kCurve).channels.at(0).factor, -2);
+  for (const char* key : {"offset: 1 mm", "trend: remove", "high_pass: 1 Hz", "delay: 1 ms", "integrate: 1 Hz"})
+    EXPECT_THAT(Faults("{channel: b, " + std::string(key) + "}", ChannelKind::kCurve), Reports(kKeyUnknown, 1, {}));
+  EXPECT_THAT(Faults("{mean: [b, c]}", ChannelKind::kCurve), Reports(kKeyUnknown, 1, {"'mean'"}));
 }
 
 }  // namespace

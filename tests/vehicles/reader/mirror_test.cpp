@@ -43,6 +43,14 @@ TEST_F(MirrorTags, KeepsThePlaneOfSymmetry) {
              R"(<fp:frame name="top_right" link="body" xyz="1 0 3" rpy="0 0.2 0"/>)");
 }
 
+TEST_F(MirrorTags, MirrorsShiftsOfPoints) {
+  const std::pair<const char*, const char*> shifts[] = {
+      {"2 mm", "-2 mm"}, {"-2 mm", "2 mm"}, {"+2 mm", "-2 mm"}, {"0 mm", "0 mm"}, {"-0.5*$dy", "0.5*$dy"}};
+  for (const auto& [left, right] : shifts)
+    ExpectTwin(R"(<fp:frame name="top_left" link="body" dy=")" + std::string(left) + R"("/>)",
+               R"(<fp:frame name="top_right" link="body" dy=")" + std::string(right) + R"("/>)");
+}
+
 TEST_F(MirrorTags, MirrorsInertia) {
   ExpectTwin(R"(<link name="a_left"><inertial><origin xyz="1 2 3" rpy="1 2 3"/><mass value="1"/>)"
              R"(<inertia ixx="1" iyy="2" izz="3" ixy="0.1" ixz="0.2" iyz="-0.3"/></inertial></link>)",

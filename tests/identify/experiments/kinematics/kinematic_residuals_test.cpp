@@ -50,6 +50,34 @@ free: all
   EXPECT_EQ(at_truth.residuals.size(), 4 * 7 * (1 + 4 * 2) + 7 * 4 + 7);
 }
 
+TEST(KinematicResiduals, FollowAStrutWhereAnotherIsAdded) {
+  using axle_cars::Vec;
+  const std::string stop =
+      axle_cars::Frame("top_stop_left", "body", Vec(0, 0.42, 0.6)) +
+      axle_cars::Frame("foot_stop_left", "lower_left", Vec(0, 0.42, 0.2) - axle_cars::kLower.front) +
+      R"(<fp:stop name="stop_left" parent="top_stop_left" child="foot_stop_left">
+<bump gap="0.1 m" stiffness="200 N/mm"/></fp:stop>
+<fp:parameter name="k" value="2 kN/mm" lower="1 kN/mm" upper="3 kN/mm" precision="1 N/mm" source="test"/>)";
+  const rig_study::RigFolder folder;
+  folder.Write("car.urdf", axle_cars::WishboneOnRubber({.rate = "$k", .tags = stop}));
+  folder.Write("table.csv", "travel [mm],motion_ratio_coil_left,motion_ratio_stop_left\n-20,1,1\n20,1,1\n");
+  LoadedStudy study = folder.Loaded(R"(vehicle: car.urdf
+kinematics: [{file: table.csv, motion: heave, noise: {motion_ratio: 0.01}}]
+)");
+  // Dampers stand before stops in StrutsOf().
+  const Vehicle more = rig_study::VehicleOf(axle_cars::WishboneOnRubber(
+      {.rate = "$k", .tags = stop + R"(<fp:damper name="damper_left" parent="top_coil_left" child="foot_coil_left">
+<linear rate="2 kN*s/m"/></fp:damper>)"}));
+  const std::vector<KinematicSweep>& sweeps = rig_study::RigOf(study).fitted;
+  const KinematicAnswer as_loaded = KinematicModel(study.vehicle, sweeps).At({2e6});
+  const KinematicAnswer extended = KinematicModel(more, sweeps).At({2e6});
+  ASSERT_FALSE(as_loaded.refusal || extended.refusal);
+  for (const std::size_t curve : {0, 1})
+    EXPECT_NEAR((extended.sweeps[0][curve] - as_loaded.sweeps[0][curve]).norm(), 0, kZero);
+  // The damper has the coil's ratio, so another strut would show.
+  EXPECT_GT((as_loaded.sweeps[0][0] - as_loaded.sweeps[0][1]).norm(), 0.1);
+}
+
 TEST(KinematicResiduals, OfAFreeOffsetAreThoseAboutTheMeanWithoutIt) {
   KinematicCurve curve{.quantity = FindKinematicQuantity("camber"),
                        .of_name = "left",

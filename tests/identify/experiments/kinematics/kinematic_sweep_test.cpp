@@ -6,8 +6,10 @@
 #include <gmock/gmock.h>
 
 #include "identify/experiments/kinematics/findings.h"
+#include "identify/experiments/kinematics/kinematic_column.h"
 #include "identify/experiments/kinematics/kinematic_lint.h"
 #include "identify/study/findings.h"
+#include "identify/study_file/findings.h"
 #include "tests/findings.h"
 #include "tests/identify/experiments/kinematics/rig_study.h"
 
@@ -91,6 +93,93 @@ kinematics: [{file: table.csv, motion: roll, noise: {toe: 0.01 deg}}]
   EXPECT_THAT(sweep.curves.at(0).places, ElementsAre(0, 1, 0));
 }
 
+constexpr const char* kByRows = R"(vehicle: car.urdf
+kinematics:
+  - file: table.csv
+    noise: {toe: 0.01 deg}
+)";
+
+TEST_F(KinematicSweepTest, CountsWhatStandsInRowsOfWheelsAndStrutsOnce) {
+  folder_.Write("table.csv", R"(motion,travel [mm],wheel,strut,track [mm],toe [deg],motion_ratio
+heave,10,left,coil_left,1500,0.1,0.7
+heave,10,left,coil_right,1500,0.1,0.7
+heave,10,right,coil_left,1500,0.2,0.7
+heave,10,right,coil_right,1500,0.2,0.7
+roll,0,right,coil_left,1501,0.3,0.7
+roll,10,right,coil_left,1502,0.4,0.7
+)");
+  LoadedStudy study = folder_.Loaded(R"(vehicle: car.urdf
+kinematics: [{file: table.csv, noise: {track: 1 mm, toe: 0.01 deg, motion_ratio: 0.01}}]
+)");
+  std::vector<std::string> points;
+  for (const KinematicSweep& sweep : rig_study::RigOf(study).fitted)
+    for (const KinematicCurve& curve : sweep.curves)
+      points.push_back(sweep.motion + " " + std::string(curve.quantity->name) + " " + curve.of_name + " " +
+                       std::to_string(curve.measured.size()));
+  EXPECT_THAT(points, testing::UnorderedElementsAre("heave track wheel 1", "heave toe wheel_left 1",
+                                                    "heave toe wheel_right 1", "heave motion_ratio coil_left 1",
+                                                    "heave motion_ratio coil_right 1", "roll track wheel 2",
+                                                    "roll toe wheel_right 2", "roll motion_ratio coil_left 2"));
+}
+
+TEST_F(KinematicSweepTest, TakesThePositionOfEachMotion) {
+  folder_.Write("table.csv", R"(motion,travel [mm],force [kN],torque [N*m],toe_left [deg]
+heave,10,,,0.1
+lateral,,2,,0.2
+aligning,,,100,0.3
+)");
+  LoadedStudy study = folder_.Loaded(kByRows);
+  const std::vector<KinematicSweep>& sweeps = rig_study::RigOf(study).fitted;
+  ASSERT_EQ(sweeps.size(), 3u);
+  EXPECT_THAT(sweeps[0].positions, ElementsAre(0.01));
+  EXPECT_THAT(sweeps[1].positions, ElementsAre(2000));
+  EXPECT_THAT(sweeps[2].positions, ElementsAre(100));
+}
+
+TEST_F(KinematicSweepTest, RefusesATorqueInAColumnOfForces) {
+  folder_.Write("table.csv", "load,force [kN],toe_left [deg]\nlateral,1,0.1\naligning,0.1,0.2\n");
+  Diagnostics findings;
+  EXPECT_FALSE(folder_.Load(kByRows, findings));
+  EXPECT_THAT(findings, ReportsOnly(kKinematicPositionMissing, 3, {"torque", "N*m"}));
+}
+
+TEST_F(KinematicSweepTest, RefusesALoadOfAnotherDimension) {
+  folder_.Write("table.csv", "load,per,toe_left [deg]\naligning,100 N*m,0.1\nlateral,100 N*m,0.1\n");
+  Diagnostics findings;
+  EXPECT_FALSE(folder_.Load(kByRows, findings));
+  EXPECT_THAT(findings, ReportsOnly(kKinematicPer, 3, {"100 N*m", "force", "kN"}));
+}
+
+TEST_F(KinematicSweepTest, WarnsOfRowsThatAreNotUsed) {
+  folder_.Write("table.csv", "motion,travel [mm],toe_left [deg]\nheave,0,0.1\nheave,,0.2\nheave,,\nheave,,0.3\n");
+  Diagnostics findings;
+  EXPECT_TRUE(folder_.Load(kByRows, findings));
+  EXPECT_THAT(findings, ReportsOnly(kKinematicRowsSkipped, 3, {"2 rows", "line 3", "travel"}));
+}
+
+TEST_F(KinematicSweepTest, TakesWordsBelowAnEmptyField) {
+  folder_.Write("table.csv", "load,case,force [kN],toe_left [deg]\nlateral,,1,0.1\nlateral,opposed,1,0.2\n");
+  LoadedStudy study = folder_.Loaded(kByRows);
+  const std::vector<KinematicSweep>& sweeps = rig_study::RigOf(study).fitted;
+  ASSERT_EQ(sweeps.size(), 2u);
+  EXPECT_FALSE(sweeps[0].load->is_opposed);
+  EXPECT_TRUE(sweeps[1].load->is_opposed);
+}
+
+TEST(KinematicTables, HaveATravelOrALoadAndNoTimes) {
+  const TemporaryFolder folder;
+  const auto is_one = [&](const std::string& text) {
+    Diagnostics findings;
+    return IsKinematicTable(ReadRecordedTable(folder.Write("table.csv", text), findings).value());
+  };
+  EXPECT_TRUE(is_one("travel [mm],camber_left [deg]\n0,0\n1,1\n"));
+  EXPECT_TRUE(is_one("force [kN],toe_left [deg]\n0,0\n1,1\n"));
+  EXPECT_TRUE(is_one("torque [N*m],toe_left [deg]\n0,0\n1,1\n"));
+  EXPECT_FALSE(is_one("time [s],travel [mm],camber_left [deg]\n0,0,0\n1,1,1\n"));
+  EXPECT_FALSE(is_one("clock [s],force [kN],toe_left [deg]\n0,0,0\n1,1,1\n"));
+  EXPECT_FALSE(is_one("force [kN],length [mm]\n0,0\n1,1\n"));
+}
+
 TEST_F(KinematicSweepTest, RefusesWhatTheTableLacks) {
   EXPECT_THAT(Faults("camber: 0.02 deg", "toe: 0.01 deg"), ReportsOnly(kKinematicQuantityMissing, 3, {"toe", "GAM"}));
   EXPECT_THAT(Faults("travel: Z", "travel: X"), ReportsOnly(kKinematicChannelMissing, 3, {"X"}));
@@ -131,6 +220,15 @@ TEST_F(KinematicSweepTest, RefusesComplianceOfARigidLinkage) {
   EXPECT_THAT(findings, Reports(kKinematicRigid, 3, {"table", "wheel"}));
 }
 
+TEST_F(KinematicSweepTest, RefusesPositionsThatItWouldNotUse) {
+  EXPECT_THAT(Faults("travel: Z", "travel: Z\n    force: Z"),
+              ReportsOnly(kKinematicPositionTwice, 6, {"force", "travel"}));
+  EXPECT_THAT(Faults("travel: Z", "travel: {channel: Z, offset: 3 mm}"), ReportsOnly(kKeyUnknown, 5, {"'offset'"}));
+  LoadedStudy study = folder_.Loaded(
+      With("motion: heave\n    travel: Z", "motion: aligning\n    torque: {channel: Z, unit: N*m}"));
+  EXPECT_THAT(rig_study::RigOf(study).fitted.at(0).positions, ElementsAre(-20, 0, 20));
+}
+
 TEST_F(KinematicSweepTest, RefusesPlansThatSayNothing) {
   EXPECT_THAT(Faults("camber: 0.02 deg", "camber: 2 %"), ReportsOnly(kKinematicAngleUnit, 6, {"camber", "2 %"}));
   EXPECT_THAT(Faults("camber: 0.02", "cambre: 0.02"), Reports(kKinematicQuantityUnknown, 6, {"cambre", "camber"}));
@@ -160,6 +258,24 @@ TEST_F(KinematicSweepTest, WarnsOfCurvesThatGoTheOtherWay) {
   for (double& value : rig.fitted.at(0).curves.at(0).measured) value = -value;
   rig.Check(study.MakeSubject(), Severity::kError, findings);
   EXPECT_THAT(findings, ReportsOnly(kKinematicOpposite, 3, {"camber", "wheel_left", "sign: -1"}));
+}
+
+TEST(KinematicSigns, AreThoseAboutAFreeOffsetUnderALoad) {
+  KinematicSweep sweep{.motion = "lateral", .load = KinematicSweep::Load{}, .positions = {-1000, 1000}};
+  sweep.curves.push_back({.quantity = FindKinematicQuantity("toe"),
+                          .of_name = "wheel_left",
+                          .places = {0, 1},
+                          .measured = {5.01, 4.99},
+                          .sd = 0.001});
+  KinematicCurve& curve = sweep.curves[0];
+  const std::vector<KinematicMisfit> misfits = {
+      {.sweep = &sweep, .curve = &curve, .modelled = Eigen::Vector2d(-0.01, 0.01)}};
+  Diagnostics findings;
+  LintKinematicSigns(misfits, "study.yaml", findings);
+  EXPECT_EQ(findings.Format(), "");
+  curve.has_free_offset = true;
+  LintKinematicSigns(misfits, "study.yaml", findings);
+  EXPECT_THAT(findings, Reports(kKinematicOpposite, 0, {"toe"}));
 }
 
 TEST_F(KinematicSweepTest, WarnsOfAConstantDifference) {
