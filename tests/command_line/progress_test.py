@@ -102,7 +102,7 @@ class Progress(ProgramTest):
 
     def test_has_no_page_of_a_fit_that_cannot_begin(self):
         self.write("faulty.yaml", "vehicle: none.urdf\n")
-        self.run_program("fit", "faulty.yaml", "-o", "run", "--watch", code=5)
+        self.run_program("fit", "faulty.yaml", "-o", "run", "--watch", code=3)
         self.assertFalse((self.folder / "run").exists())
 
 
