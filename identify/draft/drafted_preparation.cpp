@@ -128,6 +128,7 @@ std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<
   std::string lines;
   for (const ChannelMatch& match : matches) {
     double sum = 0;
+    bool is_white = true;
     std::optional<Unit> unit;
     for (const SourceChannel& channel : match.source.channels) {
       const ColumnSummary* const column = preparation.Find(channel.name);
@@ -137,12 +138,14 @@ std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<
         break;
       }
       sum += std::pow(column->noise->sd * unit->si * channel.factor, 2);
+      is_white = is_white && column->noise->is_white;
     }
     if (!(sum > 0)) continue;
     const bool is_mean = match.source.combine == ChannelSource::Combine::kMean;
     const std::string name = UnitOfNoise(unit->dimension);
     const double sd = std::sqrt(sum) / (is_mean ? static_cast<double>(match.source.channels.size()) : 1.0);
-    lines += "      " + match.name + ": " + ShortNumber(sd / ParseUnit(name)->si, 3) + " " + name + '\n';
+    lines += "      " + match.name + ": " + ShortNumber(sd / ParseUnit(name)->si, 3) + " " + name +
+             (is_white ? "\n" : "  # look at: not white, was the vehicle at rest?\n");
   }
   if (lines.empty()) return "";
   const RestTime& rest = *preparation.summary.rest;

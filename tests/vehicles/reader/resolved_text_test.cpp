@@ -41,7 +41,7 @@ TEST_F(Resolved, FillsInWhatIsLeftOutAndNothingElse) {
     expected = Replaced(expected, before, before + defaults);
   };
   fill(R"(<fp:bind to="link[body]/mass")", R"( factor="1")");
-  fill(R"(xyz="0.1 0 0.4")", R"( rpy="0 0 0")");
+  fill(R"(xyz="0.1 0 0.4")", R"( rpy="0 0 0" dx="0 mm" dy="0 mm" dz="0 mm")");
   fill(R"(<linear stiffness="$k")", R"( preload="equilibrium")");
   fill(R"(<series stiffness="800 N/mm")", R"( cubic="0 N/m^3")");
   fill(R"(damping="50 N*s/m" preload="2 kN")",
