@@ -20,8 +20,13 @@ std::string RangeText(const Parameter& parameter) {
   return InUnit(parameter.lower, parameter.unit, 4) + " .. " + InUnit(parameter.upper, parameter.unit, 4);
 }
 
+/// "+- 20", "like c_1, to 0.7 of the logarithm"
 std::string Prior(const Parameter& parameter) {
-  return parameter.prior_sd ? "+- " + InUnit(*parameter.prior_sd, parameter.unit, 3) : "";
+  std::string text = parameter.prior_sd ? "+- " + InUnit(*parameter.prior_sd, parameter.unit, 3) : "";
+  if (parameter.like)
+    text += (text.empty() ? "like " : ", like ") + parameter.like->parameter + ", to " +
+            Rounded(parameter.like->sd, 3) + " of the logarithm";
+  return text;
 }
 
 std::string Text(const Vehicle& vehicle, const std::vector<ParameterUse>& uses) {
@@ -62,6 +67,8 @@ std::string ParamsJson(const Vehicle& vehicle, const std::vector<ParameterUse>& 
                           {"prior_sd", or_null(parameter.prior_sd.has_value(), parameter.prior_sd.value_or(0))},
                           {"source", parameter.source},
                           {"used_by", used}});
+    if (parameter.like)
+      parameters.back()["like"] = {{"parameter", parameter.like->parameter}, {"sd", parameter.like->sd}};
   }
   const Json json = {{"file", vehicle.file}, {"name", vehicle.name}, {"parameters", parameters}};
   return JsonText(json);
