@@ -216,8 +216,8 @@ class Info(ProgramTest):
         rows = [list(row) for row in samples(1000)]
         for row in rows[600:640]:
             row[1] = rows[599][1]
-        told = self.info("r.csv", table([("time", "x", "y"), ("s", "mm", "mm"), *((t, x, math.cos(31 * t)) for t, x, _ in rows)]))
-        x, y = told["channels"]
+        shown = self.info("r.csv", table([("time", "x", "y"), ("s", "mm", "mm"), *((t, x, math.cos(31 * t)) for t, x, _ in rows)]))
+        x, y = shown["channels"]
         self.assertEqual((x["held"], y["held"]), (40, 0))
         self.assertEqual(x["remarks"], ["held by the logger: 40 samples, first in line 603"])
         self.assertEqual(y["remarks"], [])
@@ -233,14 +233,14 @@ class Info(ProgramTest):
                 t = k / 200
                 late = sum(3 for gap in gaps if t >= gap)
                 rows.append((f"{t + late:.3f}", (0 if rest <= t < rest + 4 else moving(t)) + draw.gauss(0, 0.01)))
-            told = self.info("r.csv", table([("time", "x"), ("s", "mm"), *rows]))
-            self.assertEqual(len(told["time"]["gaps"]), len(gaps))
+            shown = self.info("r.csv", table([("time", "x"), ("s", "mm"), *rows]))
+            self.assertEqual(len(shown["time"]["gaps"]), len(gaps))
             begin = rest + 3 * (rest > 0)
             # Rest is known to a quarter of a second, and a quarter ends at the gap.
-            self.assertGreaterEqual(told["rest_s"][0], begin - 0.01)
-            self.assertGreater(told["rest_s"][1], begin + 3)
-            self.assertLess(told["rest_s"][1], begin + 4.01)
-            self.assertAlmostEqual(told["channels"][0]["noise"]["sd"], 0.01, delta=0.001)
+            self.assertGreaterEqual(shown["rest_s"][0], begin - 0.01)
+            self.assertGreater(shown["rest_s"][1], begin + 3)
+            self.assertLess(shown["rest_s"][1], begin + 4.01)
+            self.assertAlmostEqual(shown["channels"][0]["noise"]["sd"], 0.01, delta=0.001)
 
     def test_names_a_force_that_drifts_and_no_motion_that_rises(self):
         draw = random.Random(3)
@@ -260,9 +260,9 @@ class Info(ProgramTest):
         self.assertRegex(force, r"drifts by 2[78][.0-9]* over 60.0 s beside its motion, `trend: remove`")
 
     def test_says_what_to_write_for_a_unit(self):
-        told = self.info("r.csv", table([("time", "x", "F", "G", "v"), ("seconds", "inches", "lbs", "KN", "mph"),
+        shown = self.info("r.csv", table([("time", "x", "F", "G", "v"), ("seconds", "inches", "lbs", "KN", "mph"),
                                          *((k / 100, *(math.sin(k * f) for f in (1, 2, 3, 4))) for k in range(50))]))
-        self.assertEqual([one["remarks"] for one in told["channels"]],
+        self.assertEqual([one["remarks"] for one in shown["channels"]],
                          [[], ["unknown unit 'lbs': pounds are a mass or a force, write 'lbm' or 'lbf'"],
                           ["unknown unit 'KN', did you mean 'kN'?"], []])
 

@@ -8,6 +8,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/unit_spelling.h"
 #include "vehicles/reader/findings.h"
+#include "vehicles/reader/parameter_likeness.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/reader/tree_reference.h"
 #include "vehicles/tags/attribute_check.h"
@@ -111,7 +112,7 @@ ParameterReader::ParameterReader(const tinyxml2::XMLElement& robot, FileFaults& 
   used_.resize(parameters_.size());
   const std::vector<Tag> tags = TagsOf(robot, "fp:parameter");
   for (std::size_t i = 0; i < tags.size(); ++i)
-    if (sound_[i]) ReadLikeness(tags[i], parameters_[i]);
+    if (sound_[i]) parameters_[i].like = ReadLikeness(tags[i], i, parameters_, sound_, faults_);
   JudgeByUses(robot);
 }
 
@@ -179,47 +180,6 @@ void ParameterReader::ReadPrior(const Tag& tag, Parameter& parameter) const {
   const std::optional<Quantity> sd = QuantityIn(tag, "prior_sd");
   if (sd && sd->si <= 0) Fault(tag, "prior_sd", {&kNumberNotPositive, {""}});
   if (sd) parameter.prior_sd = sd->si;
-}
-
-/// Once all parameters are known.
-void ParameterReader::ReadLikeness(const Tag& tag, Parameter& parameter) const {
-  const std::optional<std::string> name = AttributeText(*tag.element, "like");
-  const std::optional<std::string> sd = AttributeText(*tag.element, "like_sd");
-  if (!name && !sd) return;
-  if (!name || !sd) {
-    faults_.Report(kLikeIncomplete, tag.Line(), {Describe(*tag.element)});
-    return;
-  }
-  const std::optional<double> number = ParseNumber(Trimmed(*sd));
-  if (!number) return;
-  if (*number <= 0) {
-    Fault(tag, "like_sd", {&kNumberNotPositive, {""}});
-    return;
-  }
-  const auto found = index_.find(*name);
-  if (found == index_.end() || *name == parameter.name) {
-    std::vector<std::string> others = Names();
-    std::erase(others, parameter.name);
-    Fault(tag, "like", {&kLikeUnknown, {DidYouMeanOrAll(*name, others)}});
-    return;
-  }
-  const auto i = static_cast<std::size_t>(found->second);
-  const Parameter& other = parameters_[i];
-  if (!sound_[i]) return;
-  if (other.like && other.like->parameter == parameter.name) {
-    Fault(tag, "like", {&kLikeEachOther, {other.name}});
-    return;
-  }
-  if (other.dimension != parameter.dimension) {
-    Fault(tag, "like", {&kLikeOfOtherDimension, {WithArticle(other.dimension), WithArticle(parameter.dimension)}});
-    return;
-  }
-  for (const Parameter* one : {static_cast<const Parameter*>(&parameter), &other})
-    if (one->lower <= 0) {
-      Fault(tag, "like", {&kLikeNotPositive, {one->name}});
-      return;
-    }
-  parameter.like = Parameter::Likeness{*name, *number};
 }
 
 void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {

@@ -49,7 +49,6 @@ class ParameterReader {
   void ReadBounds(const Tag& tag, Parameter& parameter) const;
   void CheckBounds(const Tag& tag, const Parameter& parameter) const;
   void ReadPrior(const Tag& tag, Parameter& parameter) const;
-  void ReadLikeness(const Tag& tag, Parameter& parameter) const;
   void JudgeByUses(const tinyxml2::XMLElement& robot);
   void NoteMisspelt(const std::string& name);
   bool AgreesWithUses(const Parameter& parameter, const std::vector<ParameterUse>& uses) const;

@@ -11,7 +11,7 @@ namespace fourpost {
 namespace {
 
 constexpr std::size_t kColumns = 3;
-/// Of the curves of a panel, told apart by those who see colours otherwise, too.
+/// Of the curves of a panel, distinct without red and green too.
 constexpr std::array<const char*, 4> kColors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7"};
 
 double SizeOf(std::string_view unit) { return unit.empty() ? 1 : ParseUnit(unit)->si; }
