@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <Eigen/Cholesky>
 
@@ -11,12 +10,6 @@
 
 namespace fourpost {
 namespace {
-
-std::size_t PlaceOf(const Vehicle& vehicle, const std::string& name) {
-  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
-    if (vehicle.parameters[i].name == name) return i;
-  throw std::logic_error("plan: no parameter " + name);
-}
 
 /// In logarithms, as parameters that are like each other are.
 void AddRatios(const Vehicle& vehicle, KnownParameters& known) {
@@ -43,7 +36,7 @@ KnownParameters KnownByFit(const std::filesystem::path& run, const Vehicle& vehi
   KnownParameters known{
       .slopes = JudgedSlopes(spread), .information = InverseOf(spread.noise), .left_out = fitted.HeldText()};
   for (const Eigen::Index j : spread.judged)
-    known.places.push_back(PlaceOf(vehicle, spread.lattice.axes()[static_cast<std::size_t>(j)].name));
+    known.places.push_back(vehicle.IndexOf(spread.lattice.axes()[static_cast<std::size_t>(j)].name).value());
   return known;
 }
 

@@ -53,11 +53,9 @@ AppliedSuggestion Apply(const LoadedStudy& study, const SuggestedAddition& sugge
   }
   std::vector<double> all = vehicle.ParameterValues();
   const auto set = [&](const std::string& name, double value) {
-    for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
-      const Parameter& parameter = vehicle.parameters[i];
-      if (parameter.name == name && !vehicle.HasPrior(i))
-        all[i] = std::clamp(AtDigits(value, 6), parameter.lower, parameter.upper);
-    }
+    const std::optional<std::size_t> i = vehicle.IndexOf(name);
+    if (i && !vehicle.HasPrior(*i))
+      all[*i] = std::clamp(AtDigits(value, 6), vehicle.parameters[*i].lower, vehicle.parameters[*i].upper);
   };
   for (std::size_t i = 0; i < study.free.size(); ++i)
     set(study.vehicle.parameters[study.free[i]].name, suggestion.others[static_cast<Eigen::Index>(i)]);
