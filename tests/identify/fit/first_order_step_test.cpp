@@ -43,6 +43,8 @@ TEST(IntegrationStep, TakesTheFitToWhereAnExactIntegrationHasIt) {
   ASSERT_EQ(fit.end, FitEnd::kConverged) << fit.message;
   // The coarse optimum is 1 % low; what first order leaves is some 1e-4 of it.
   EXPECT_NEAR(fit.parameters[0].value, 2, 4e-4);
+  // Intervals rest on residuals of the exact integration, which that leaves: (4e-4 / 0.02)^2 of the coarse ones.
+  EXPECT_LT(fit.data_squares, 4e-4 * Coarse(2).squaredNorm());
 }
 
 // Residuals that ask for 5 % more and are far worse there.
