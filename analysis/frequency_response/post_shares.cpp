@@ -37,11 +37,23 @@ std::optional<Corner> CornerOf(const std::string& name) {
   return std::nullopt;
 }
 
-double Rounded(double share) {
+double Rounded(double share, double deviation) {
   constexpr double kNear = 0.1;
+  constexpr double kFar = 0.3;
+  const double near = std::clamp(3 * deviation, kNear, kFar);
   for (const double whole : {-1.0, 0.0, 1.0})
-    if (std::abs(share - whole) < kNear) return whole;
+    if (std::abs(share - whole) < near) return whole;
   return std::round(10 * share) / 10;
+}
+
+/// Which post of those that move by as much comes first is a matter of noise: the first one of the whole shares is it.
+void BeginWithFirst(PostShares& shares) {
+  const auto moves_alike = [](double share) { return std::abs(share) == 1; };
+  const auto first = std::find_if(shares.share.begin(), shares.share.end(), moves_alike);
+  shares.reference = static_cast<std::size_t>(first - shares.share.begin());
+  const double sign = *first;
+  // No zero is negative.
+  for (double& share : shares.share) share = sign * share + 0.0;
 }
 
 template <typename Sign>
@@ -66,7 +78,7 @@ std::complex<double> PostShares::Motion(std::span<const std::complex<double>> po
 }
 
 PostShares SharesOf(const std::vector<std::vector<std::complex<double>>>& products,
-                    std::optional<std::size_t> reference) {
+                    std::optional<std::size_t> reference, const std::vector<std::vector<double>>& deviations) {
   constexpr double kMoving = 0.9;
   PostShares shares;
   const std::size_t count = products.size();
@@ -77,10 +89,14 @@ PostShares SharesOf(const std::vector<std::vector<std::complex<double>>>& produc
   if (reference) shares.reference = *reference;
   const std::vector<std::complex<double>>& row = products[shares.reference];
   const double own = row[shares.reference].real();
+  for (std::size_t p = 0; p < count; ++p) {
+    const double deviation = deviations.empty() ? 0 : deviations[shares.reference][p];
+    shares.share.push_back(p == shares.reference ? 1 : Rounded(row[p].real() / own, deviation));
+  }
+  if (!reference) BeginWithFirst(shares);
   double square = 0;
   double all = 0;
   for (std::size_t p = 0; p < count; ++p) {
-    shares.share.push_back(p == shares.reference ? 1 : Rounded(row[p].real() / own));
     square += shares.share[p] * shares.share[p];
     all += products[p][p].real();
   }

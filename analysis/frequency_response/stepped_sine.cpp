@@ -54,7 +54,7 @@ class DwellFit {
       mean.push_back(sum);
     }
     DwellResponse out;
-    out.shares = SharesOf(Products(mean), reference_);
+    out.shares = SharesOf(Products(mean), reference_, ShareDeviations(cycles, mean));
     const std::vector<Complex> motion = MotionByCycle(cycles, out.shares);
     const SettledPart settled = SettledPartOf(Ratios(cycles, motion));
     if (cycles.blocks() - settled.first < kFewestBlocks) return std::nullopt;
@@ -81,6 +81,23 @@ class DwellFit {
       }
     }
     return largest;
+  }
+
+  /// By the scatter of the later half of the blocks, of which `mean` is the sum: of each post's share of each.
+  std::vector<std::vector<double>> ShareDeviations(const CyclePhasors& cycles, const std::vector<Complex>& mean) const {
+    std::vector<std::vector<double>> deviations(posts_, std::vector<double>(posts_));
+    for (std::size_t a = 0; a < posts_; ++a)
+      for (std::size_t b = 0; b < posts_; ++b) {
+        const Complex ratio = mean[b] / mean[a];
+        std::vector<Complex> apart;
+        for (std::size_t k = cycles.blocks() / 2; k < cycles.blocks(); ++k)
+          apart.push_back(cycles.phasor[b][k] - ratio * cycles.phasor[a][k]);
+        // Real and imaginary part have half of it each.
+        const double size = std::abs(mean[a]) / static_cast<double>(apart.size());
+        const double deviation = std::sqrt(VarianceOfMean(apart) / 2) / size;
+        deviations[a][b] = std::isfinite(deviation) ? deviation : 0;
+      }
+    return deviations;
   }
 
   std::vector<Complex> MotionByCycle(const CyclePhasors& cycles, const PostShares& shares) const {

@@ -244,6 +244,41 @@ TEST(SteppedSine, IsRelativeToThePatternOfThePosts) {
   }
 }
 
+// Of posts that move alike, either may look the larger by noise: a share has a deviation of 0.06 at 28 Hz here.
+TEST(SteppedSine, HasOnePatternAlsoInNoise) {
+  const double noise_m = 1.5 * RigAmplitude(28);
+  int count = 0;
+  for (int seed = 1; seed <= 20; ++seed) {
+    RandomStream random(static_cast<std::uint64_t>(seed), "noise");
+    const std::vector<double> clean = SteppedSine({24, 28}, 12, kRate);
+    std::vector<double> front = clean;
+    std::vector<double> rear = clean;
+    for (double& z : front) z += noise_m * random.Normal();
+    for (double& z : rear) z += noise_m * random.Normal();
+    const RigSignals signals{.rate_Hz = kRate, .posts = {front, rear}, .channels = {front}};
+    for (const DwellResponse& at : RespondInDwells(signals, FindDwells(clean, TrackTone(clean)))) {
+      ++count;
+      EXPECT_EQ(at.shares.share, (std::vector<double>{1, 1})) << seed << ' ' << at.frequency_Hz;
+      EXPECT_EQ(at.shares.reference, 0U);
+    }
+  }
+  EXPECT_GE(count, 30);
+}
+
+// 0.85 +- 0.02 is no 1, 0.85 +- 0.06 may be.
+TEST(PostShares, AreWholeWithinTheirNoise) {
+  const auto shares = [](double deviation) {
+    return SharesOf({{1, 0.85}, {0.85, 0.7225}}, std::nullopt, {{0, deviation}, {deviation, 0}}).share;
+  };
+  EXPECT_EQ(shares(0.02), (std::vector<double>{1, 0.9}));
+  EXPECT_EQ(shares(0.06), (std::vector<double>{1, 1}));
+  // The rear one is larger, the front one comes first; half of it stays half.
+  EXPECT_EQ(
+      SharesOf({{0.7225, -0.85, 0}, {-0.85, 1, 0}, {0, 0, 0}}, std::nullopt, {{0, 0.06, 0}, {0.06, 0, 0}, {0, 0, 0}}),
+      (PostShares{{1, -1, 0}, 0, 0}));
+  EXPECT_EQ(SharesOf({{0.25, 0.5}, {0.5, 1}}, std::nullopt, {{0, 0.1}, {0.1, 0}}), (PostShares{{0.5, 1}, 1, 0}));
+}
+
 TEST(PostShares, AreNamedByCorners) {
   const std::vector<std::string> corners = {"post_FL", "post_FR", "post_RL", "post_RR"};
   const auto name = [&](std::vector<double> shares) { return PatternOf({std::move(shares), 0, 0}, corners); };
