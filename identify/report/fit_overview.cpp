@@ -112,7 +112,7 @@ std::string ResidualSentence(const FitOverview& overview) {
   if (overview.explained != Explained::kOverstated) return are + "; about 1 is expected.";
   // Where parts of the data disagree, intervals follow from that.
   return are + (overview.disagree.empty()
-                    ? ": state smaller ones, such as `model_error`, for intervals follow from them."
+                    ? ": state smaller ones, such as `model_error`; intervals of stepped sines follow from them."
                     : ": these are more than explain the residuals.");
 }
 

@@ -79,6 +79,9 @@ inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::
 inline const Finding kIntervalFillsBounds{"interval-fills-bounds", Severity::kWarning,
                                           "intervals reach from bound to bound, so the data do not determine: {}",
                                           "widen bounds that are guesses, or measure a channel that depends on them"};
+inline const Finding kHeldFillsBounds{"held-fills-bounds", Severity::kWarning,
+                                      "intervals reach from bound to bound because of what is held: {}",
+                                      "measure what is held and state its 'prior_sd'"};
 inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::kWarning,
                                             "the data do not change with the one free parameter",
                                             "measure a channel that depends on it"};

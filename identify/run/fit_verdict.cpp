@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "analysis/text/short_number.h"
@@ -108,11 +109,18 @@ void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
 
 /// Parameters that only their bounds limit, though they have a deviation.
 void AddLimitedByBounds(const FitResult& fit, Diagnostics& conclusions) {
+  constexpr std::string_view kHeld = "held: ";
   std::string names;
-  for (const FittedParameter& one : fit.parameters)
-    if (one.state == ParameterState::kUndetermined && FillsBounds(one.lower_95, one.upper_95, one.lower, one.upper))
-      names += (names.empty() ? "" : ", ") + one.name;
+  std::string of_held;
+  for (const FittedParameter& one : fit.parameters) {
+    if (one.state != ParameterState::kUndetermined || !FillsBounds(one.lower_95, one.upper_95, one.lower, one.upper))
+      continue;
+    if (one.limited_by.starts_with(kHeld))
+      of_held += (of_held.empty() ? "" : ", ") + one.name + " (" + one.limited_by.substr(kHeld.size()) + ")";
+    else names += (names.empty() ? "" : ", ") + one.name;
+  }
   if (!names.empty()) conclusions.Report(kIntervalFillsBounds, {}, {names});
+  if (!of_held.empty()) conclusions.Report(kHeldFillsBounds, {}, {of_held});
 }
 
 /// A best point that no other refinement found.

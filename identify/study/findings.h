@@ -40,9 +40,8 @@ inline const Finding kNothingFree{"nothing-free", Severity::kError,
 inline const Finding kScaleNotMeasured{
     "scale-not-measured", Severity::kWarning,
     "no force or load is fitted, so masses, rates and damping constants are known up to a common factor, set by "
-    "what is held fixed ({}); an error of 1 % there is an error of 1 % in all of them, which no standard deviation "
-    "includes",
-    "fit a tyre force or `static_loads`, or make sure of the fixed values", Weight::kGrave};
+    "what is held fixed ({}); an error of 1 % there is an error of 1 % in all of them, {}",
+    "fit a tyre force or `static_loads`, or measure what is held and state its 'prior_sd'", Weight::kGrave};
 
 // The rig, by what its channels say of each other: what is wrong, what else would explain it, how sure it is.
 

@@ -81,36 +81,45 @@ class ScaleEffect {
   std::optional<Eigen::VectorXd> here_;
 };
 
-/// Names of the held parameters, the one that sets the scale most first, without those of negligible effect: what a
+/// Places of the held parameters, the one that sets the scale most first, without those of negligible effect: what a
 /// change of each takes of the free ones' common factor to make up for it. All of them where the model cannot be
 /// evaluated.
-std::vector<std::string> SettingTheScale(const LoadedStudy& study) {
+std::vector<std::size_t> SettingTheScale(const LoadedStudy& study) {
   constexpr double kLeast = 0.01;
   std::vector<std::size_t> scaled;
   for (const std::size_t index : study.free)
     if (HasMass(study.vehicle.parameters[index])) scaled.push_back(index);
   const ScaleEffect effect(study);
   const std::optional<Eigen::VectorXd> of_free = effect.Of(scaled);
-  std::vector<std::pair<double, std::string>> weights;
+  std::vector<std::pair<double, std::size_t>> weights;
   for (const std::size_t index : HeldOf(study)) {
     const std::optional<Eigen::VectorXd> of_this = effect.Of({index});
     const double weight = of_free && of_this ? std::abs(of_free->dot(*of_this)) / of_free->squaredNorm()
                                              : std::numeric_limits<double>::infinity();
     // Also where nothing changes with the free ones.
-    if (!(weight < kLeast)) weights.emplace_back(weight, study.vehicle.parameters[index].name);
+    if (!(weight < kLeast)) weights.emplace_back(weight, index);
   }
   std::stable_sort(weights.begin(), weights.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<std::string> names;
-  for (const auto& [weight, name] : weights) names.push_back(name);
-  return names;
+  std::vector<std::size_t> places;
+  for (const auto& [weight, index] : weights) places.push_back(index);
+  return places;
 }
 
 /// "m_wheel, I_body and 3 more"; empty for none.
-std::string Listed(const std::vector<std::string>& names) {
+std::string Listed(const Vehicle& vehicle, const std::vector<std::size_t>& places) {
   constexpr std::size_t kMost = 4;
   std::string text;
-  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+  for (std::size_t i = 0; i < std::min(kMost, places.size()); ++i)
+    text += (i == 0 ? "" : ", ") + vehicle.parameters[places[i]].name;
+  return places.size() > kMost ? text + " and " + std::to_string(places.size() - kMost) + " more" : text;
+}
+
+/// Whether intervals allow for all of it, see HeldParameters.
+bool HaveRanges(const Vehicle& vehicle, const std::vector<std::size_t>& places) {
+  return !places.empty() && std::all_of(places.begin(), places.end(), [&](std::size_t place) {
+    const Parameter& held = vehicle.parameters[place];
+    return held.lower < held.upper && held.lower <= held.value && held.value <= held.upper;
+  });
 }
 
 }  // namespace
@@ -119,9 +128,11 @@ void LintScale(const LoadedStudy& study, Diagnostics& diagnostics) {
   const bool is_scaled = std::any_of(study.free.begin(), study.free.end(),
                                      [&](std::size_t index) { return HasMass(study.vehicle.parameters[index]); });
   if (!is_scaled || HasScale(study)) return;
-  const std::string held = Listed(SettingTheScale(study));
+  const std::vector<std::size_t> held = SettingTheScale(study);
   diagnostics.Report(kScaleNotMeasured, {study.study.file.string(), study.study.free_line},
-                     {held.empty() ? "numbers of the vehicle file, if any" : held});
+                     {held.empty() ? "numbers of the vehicle file, if any" : Listed(study.vehicle, held),
+                      HaveRanges(study.vehicle, held) ? "and intervals are as wide as its range or 'prior_sd' says"
+                                                      : "which no standard deviation includes"});
 }
 
 }  // namespace fourpost

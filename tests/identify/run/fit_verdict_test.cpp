@@ -65,6 +65,12 @@ TEST(FitVerdict, NamesParametersThatOnlyTheirBoundsLimit) {
   const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
   EXPECT_THAT(conclusions, Reports(kIntervalFillsBounds, 0, {"do not determine: m_body"}));
   EXPECT_THAT(conclusions, testing::Not(Reports(kIntervalFillsBounds, 0, {"m_body, k"})));
+  EXPECT_THAT(conclusions, testing::Not(Reports(kHeldFillsBounds, 0)));
+  // Another channel would not help against a mass that is known to its range alone.
+  fit.parameters[0].limited_by = "held: m_wheel";
+  const Diagnostics of_held = ConclusionsOf(fit, {}, true);
+  EXPECT_THAT(of_held, Reports(kHeldFillsBounds, 0, {"m_body (m_wheel)"}));
+  EXPECT_THAT(of_held, testing::Not(Reports(kIntervalFillsBounds, 0)));
 }
 
 // Two starts may well end apart, and one refinement has nothing to agree with.

@@ -85,12 +85,12 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
 
 TEST(ResultJson, KeepsWarnings) {
   FitFindings found;
-  found.warnings.Report(kScaleNotMeasured, {"/somewhere/study.yaml", 12}, {"m_wheel"});
+  found.warnings.Report(kScaleNotMeasured, {"/somewhere/study.yaml", 12}, {"m_wheel", ""});
   found.warnings.Report(kFitNotConverged, {"static.csv"}, {"late"});
   found.warnings.Report(kNothingFree, {"study.yaml", 1});
   const Json result = Json::parse(ResultJson({}, 1, {}, Json::object(), found));
   const Json expected =
-      Json::array({{{"id", "scale-not-measured"}, {"text", "study.yaml:12: " + kScaleNotMeasured.Message({"m_wheel"})}},
+      Json::array({{{"id", "scale-not-measured"}, {"text", "study.yaml:12: " + kScaleNotMeasured.Message({"m_wheel", ""})}},
                    {{"id", "fit-not-converged"}, {"text", "static.csv: " + kFitNotConverged.Message({"late"})}}});
   EXPECT_EQ(result["warnings"], expected);
   EXPECT_EQ(Json::parse(ResultJson({}, 1, {}, Json::object(), {}))["warnings"], Json::array());

@@ -139,8 +139,13 @@ TEST(RecordingLint, NamesOnlyWhatSetsTheScale) {
   idle.name = "m_idle";
   study.vehicle.parameters.push_back(idle);
   const Diagnostics found = Lint(study);
-  EXPECT_THAT(found, Reports(kScaleNotMeasured, study.study.free_line, {"(m_sprung)"}));
+  EXPECT_THAT(found,
+              Reports(kScaleNotMeasured, study.study.free_line, {"(m_sprung)", "as its range or 'prior_sd' says"}));
   EXPECT_THAT(found, Not(Reports(kScaleNotMeasured, study.study.free_line, {"m_idle"})));
+  // Without a range it counts as exact.
+  for (Parameter& parameter : study.vehicle.parameters)
+    if (parameter.name == "m_sprung") parameter.lower = parameter.upper = parameter.value;
+  EXPECT_THAT(Lint(study), Reports(kScaleNotMeasured, study.study.free_line, {"which no standard deviation includes"}));
 }
 
 TEST(RecordingLint, TellsOfAScaleThatIsOff) {
