@@ -305,8 +305,8 @@ std::string NoAuditText(const LoadedStudy& study, const Diagnostics& findings) {
              (history.release ? "begins with a release" : "has " + ShortNumber(measured_s, 2) + " s without a gap");
   }
   if (unfit.empty())
-    return "no audit of the rig: nothing that is fitted is a stepped sine or a time history; add `recordings` or "
-           "`histories`\n";
+    return "no audit of the rig: it compares channels of stepped sines and of time histories, and this study fits "
+           "neither; look at each file by `fourpost info FILE`\n";
   return "no audit of the rig: it needs eight seconds without a gap in which posts move, or stepped sines: " + unfit +
          "; record such a motion\n";
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "analysis/files/recorded_unit.h"
@@ -14,6 +15,23 @@ namespace {
 using Of = KinematicQuantity::Of;
 
 constexpr std::array<std::string_view, 7> kUnitsInNames = {"deg", "rad", "mm", "m", "N", "kN", "Nm"};
+
+/// What rigs and other programs write for a name of ours.
+struct OtherName {
+  std::string_view theirs;
+  std::string_view ours;
+};
+constexpr std::array<OtherName, 11> kOtherNames = {{{"wheel_travel", "travel"},
+                                                    {"bump_travel", "travel"},
+                                                    {"suspension_travel", "travel"},
+                                                    {"vertical_travel", "travel"},
+                                                    {"jounce", "travel"},
+                                                    {"bump", "travel"},
+                                                    {"lateral_force", "force"},
+                                                    {"longitudinal_force", "force"},
+                                                    {"aligning_torque", "torque"},
+                                                    {"camber_angle", "camber"},
+                                                    {"toe_angle", "toe"}}};
 
 /// By the first field that is not empty.
 bool IsText(const RecordedTable& table, std::size_t index) {
@@ -44,6 +62,35 @@ const KinematicQuantity* QuantityOf(const KinematicColumn& column) {
   return name && !column.is_text ? FindKinematicQuantity(name->quantity) : nullptr;
 }
 
+/// In small letters, with one bar between words: "wheel_travel" of "Wheel Travel".
+std::string Plain(const std::string& name) {
+  std::string plain;
+  for (const char letter : name) {
+    const auto c = static_cast<unsigned char>(letter);
+    if (c < 0x80 && std::isalnum(c) == 0) {
+      if (!plain.empty() && plain.back() != '_') plain += '_';
+    } else {
+      plain += static_cast<char>(c < 0x80 ? std::tolower(c) : c);
+    }
+  }
+  if (plain.ends_with('_')) plain.pop_back();
+  return plain;
+}
+
+/// The name that is meant; as it is where that is none of ours, for parts of the vehicle have theirs.
+std::string OwnName(const std::string& name) {
+  if (ParseQuantityName(name)) return name;
+  std::string plain = Plain(name);
+  for (const OtherName& other : kOtherNames)
+    if (plain == other.theirs || plain.starts_with(std::string(other.theirs) + "_left") ||
+        plain.starts_with(std::string(other.theirs) + "_right"))
+      plain = std::string(other.ours) + plain.substr(other.theirs.size());
+  constexpr std::array<std::string_view, 4> kPositions = {"travel", "force", "torque", "per"};
+  const bool is_ours =
+      ParseQuantityName(plain) || std::find(kPositions.begin(), kPositions.end(), plain) != kPositions.end();
+  return is_ours ? plain : name;
+}
+
 KinematicColumn ColumnOf(const RecordedTable& table, std::size_t index) {
   KinematicColumn column{.index = index, .name = table.names()[index], .unit = table.unit(index)};
   const std::size_t mark = column.name.rfind('_');
@@ -54,6 +101,7 @@ KinematicColumn ColumnOf(const RecordedTable& table, std::size_t index) {
       if (column.unit.empty()) column.unit = end == "Nm" ? "N*m" : end;
     }
   }
+  column.name = OwnName(column.name);
   column.is_text = IsText(table, index);
   return column;
 }

@@ -12,7 +12,7 @@
 namespace fourpost {
 
 /// A column of a table by its name without its unit, which stands in the file's own place for it or as the end of the
-/// name: "camber_deg", "camber [deg]".
+/// name: "camber_deg", "camber [deg]"; and with the name that is meant by another spelling of it: "Wheel Travel".
 struct KinematicColumn {
   std::size_t index = 0;
   std::string name;

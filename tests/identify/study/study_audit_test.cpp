@@ -103,7 +103,7 @@ TEST(StudyAudit, SaysWhichConditionItLacks) {
   EXPECT_THAT(NoAuditText(study, found), testing::HasSubstr("correct [wheelpan-forgotten] first"));
   Sines(study).runs.clear();
   EXPECT_FALSE(AuditStudy(study));
-  EXPECT_THAT(NoAuditText(study, {}), testing::HasSubstr("nothing that is fitted is a stepped sine"));
+  EXPECT_THAT(NoAuditText(study, {}), testing::HasSubstr("this study fits neither"));
 }
 
 TEST(StudyAudit, JsonHasWhatTheTableHas) {

@@ -157,6 +157,12 @@ TEST_F(KinematicSweepTest, WarnsOfRowsThatAreNotUsed) {
   EXPECT_THAT(findings, ReportsOnly(kKinematicRowsSkipped, 3, {"2 rows", "line 3", "travel"}));
 }
 
+TEST_F(KinematicSweepTest, TakesOtherSpellingsOfAName) {
+  folder_.Write("table.csv", "motion,Wheel Travel [mm],Toe angle - left [deg]\nheave,0,0.1\nheave,20,0.2\n");
+  LoadedStudy study = folder_.Loaded(kByRows);
+  ASSERT_EQ(rig_study::RigOf(study).fitted.size(), 1u);
+}
+
 TEST_F(KinematicSweepTest, TakesWordsBelowAnEmptyField) {
   folder_.Write("table.csv", "load,case,force [kN],toe_left [deg]\nlateral,,1,0.1\nlateral,opposed,1,0.2\n");
   LoadedStudy study = folder_.Loaded(kByRows);
@@ -175,6 +181,8 @@ TEST(KinematicTables, HaveATravelOrALoadAndNoTimes) {
   EXPECT_TRUE(is_one("travel [mm],camber_left [deg]\n0,0\n1,1\n"));
   EXPECT_TRUE(is_one("force [kN],toe_left [deg]\n0,0\n1,1\n"));
   EXPECT_TRUE(is_one("torque [N*m],toe_left [deg]\n0,0\n1,1\n"));
+  EXPECT_TRUE(is_one("Wheel Travel [mm],Camber FL [deg]\n0,0\n1,1\n"));
+  EXPECT_FALSE(is_one("Rail Travel [mm],Camber FL [deg]\n0,0\n1,1\n"));
   EXPECT_FALSE(is_one("time [s],travel [mm],camber_left [deg]\n0,0,0\n1,1,1\n"));
   EXPECT_FALSE(is_one("clock [s],force [kN],toe_left [deg]\n0,0,0\n1,1,1\n"));
   EXPECT_FALSE(is_one("force [kN],length [mm]\n0,0\n1,1\n"));
