@@ -21,7 +21,12 @@ Prediction Predict(const std::filesystem::path& run, const std::filesystem::path
     const FittedRun fitted = LoadFittedRun(run);
     const std::optional<ExperimentResults> results = PredictRecording(
         fitted,
-        {.recording = recording, .engine = OwnEngine(options.engine), .mode = options.posts, .has_files = is_written},
+        {.recording = recording,
+         .engine = OwnEngine(options.engine),
+         .mode = options.posts,
+         .release = options.release,
+         .start_s = options.start_s,
+         .has_files = is_written},
         {.stop = options.stop});
     if (!results) throw SimulationError(kCallStopped);
     Prediction prediction{.json = PredictionJson(fitted, recording, nlohmann::ordered_json::object(), *results),

@@ -244,8 +244,12 @@ struct PredictCommand {
   std::filesystem::path noise_from;
   /// Of the study's control.
   std::optional<double> setting;
+  /// See ParseRelease(), and when; empty: as the study.
+  std::string release;
+  std::optional<double> start_s;
   /// Of a time history; empty: kAuto.
   std::optional<Engine> engine;
+  Diagnostics faults = {};
   bool json = false;
   /// Empty: nothing is written.
   std::filesystem::path output;

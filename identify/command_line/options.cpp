@@ -144,6 +144,13 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand.add_option("--control", command.setting,
                         "The recording's setting, such as a current or clicks, of which the study's 'control' lets "
                         "parameters follow");
+  subcommand.add_option(
+      "--release", command.release,
+      "From where the vehicle was let go: estimated, \"at rest\", or the readings above rest at which "
+      "it was held, e.g. z_body=\"50 mm\"; default: as the study's first history");
+  QuantityOptions(subcommand, command.faults)
+      .Add("--start", kTime, "When it was let go, or from when on the recording counts, e.g. 0.8s",
+           [&command](double start_s) { command.start_s = start_s; });
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },

@@ -26,12 +26,15 @@ PredictionRequest RequestOf(const PredictCommand& command) {
           .has_kalman = command.kalman,
           .noise_from = command.noise_from,
           .setting = command.setting,
+          .release = command.release,
+          .start_s = command.start_s,
           .has_files = !command.output.empty()};
 }
 
 }  // namespace
 
 int Run(const PredictCommand& command) {
+  if (command.faults.HasErrors()) throw FaultyInput(command.faults);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
     RequireNoOtherResult(command.output, ResultKind::kPrediction);

@@ -77,6 +77,9 @@ struct PredictionRequest {
   const ParameterSpread* spread = nullptr;
   /// Of a control that parameters follow.
   std::optional<double> setting = {};
+  /// From where the vehicle is let go, see ParseRelease(), and when; empty: as the study states of its first history.
+  std::string release = {};
+  std::optional<double> start_s = {};
   /// Whether the results' files are wanted, which may take longer than the rest.
   bool has_files = false;
 };

@@ -9,6 +9,9 @@ inline const Finding kChannelLength{"channel-length", Severity::kError, "column 
                                     "save channels of one rate together"};
 inline const Finding kFitColumnMissing{"fit-column-missing", Severity::kError, "no column '{}'", "fit again"};
 
+inline const Finding kReleaseOfOtherKind{"release-of-other-kind", Severity::kError,
+                                         "{} is no time history, and the option is for those", "leave it out"};
+
 // What a prediction leaves that its fit has covered.
 
 inline const Finding kSpeedsNotCovered{"speeds-not-covered", Severity::kWarning,

@@ -44,6 +44,9 @@ struct PredictOptions {
   Engine engine = Engine::kAuto;
   /// How the posts moved, as in SteppedSine; empty: to be found in the recording.
   std::string posts = {};
+  /// From where the vehicle is let go, as `--release` of `fourpost predict`, and when [s]; empty: as the study states.
+  std::string release = {};
+  std::optional<double> start_s = {};
   /// Where the curves are written; empty: nowhere.
   std::filesystem::path output = {};
   /// True ends by Error of kSimulation; asked often, from the calling thread.

@@ -28,10 +28,13 @@ py::tuple Draw(const std::filesystem::path& run, int count, std::uint64_t seed,
 }
 
 py::tuple Predict(const std::filesystem::path& run, const std::filesystem::path& recording, const std::string& engine,
-                  const std::string& posts, const std::filesystem::path& output) {
+                  const std::string& posts, const std::string& release, std::optional<double> start_s,
+                  const std::filesystem::path& output) {
   const api::Engine by = EngineOf(engine);
   const api::Prediction prediction = Computed([&](const Stop& stop) {
-    return api::Predict(run, recording, {.engine = by, .posts = posts, .output = output, .stop = stop});
+    return api::Predict(
+        run, recording,
+        {.engine = by, .posts = posts, .release = release, .start_s = start_s, .output = output, .stop = stop});
   });
   return py::make_tuple(prediction.json, FindingsOf(prediction.warnings));
 }

@@ -171,19 +171,23 @@ class Run:
         return frame
 
     def predict(self, recording: Path | pd.DataFrame, *, units: Mapping[str, str] | None = None, engine: str = "auto",
-                posts: str = "", output: Path | None = None) -> Prediction:
+                posts: str = "", release: str = "", start_s: float | None = None, output: Path | None = None) -> Prediction:
         """How well the fitted vehicle predicts a recording.
 
         recording: a file, or a frame over time [s], a column for each channel that the study names, in `units`.
             Of a study of arrays: FL or post_FL, ... and the sensors.
         units: of each column of a frame; columns with the name of a post are in m unless stated.
         posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.
+        release: from where the vehicle was let go, as `--release` of `fourpost predict`: "at rest", "z_body=50 mm";
+            default: as the study states.
+        start_s: when, or from when on the recording counts; default: as the study states.
         output: a folder for the curves.
         """
         if isinstance(recording, pd.DataFrame):
             recording, units = _with_posts(recording, units or {}, self)
         with recorded(recording, units, _HINT) as file:
-            text, warnings = _core.predict(os.fspath(self.folder), file, engine, posts, os.fspath(output or ""))
+            text, warnings = _core.predict(os.fspath(self.folder), file, engine, posts, release, start_s,
+                                           os.fspath(output or ""))
         return Prediction(json.loads(text), warnings)
 
     def __repr__(self) -> str:

@@ -12,6 +12,7 @@
 #include "analysis/text/named.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
+#include "identify/experiments/findings.h"
 #include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post.h"
@@ -299,6 +300,9 @@ class SinePrediction {
 std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const PredictionRequest& request,
                                                    const WorkHooks& hooks) const {
   if (request.has_kalman) Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
+  if (!request.release.empty() || request.start_s)
+    Refuse(kReleaseOfOtherKind, Place::Option(request.release.empty() ? "--start" : "--release"),
+           {request.recording.filename().string()});
   return SinePrediction(plan, subject, request, hooks).Run();
 }
 

@@ -36,8 +36,10 @@ inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kErro
                                          "name the channel of its height under 'posts'"};
 inline const Finding kReleaseOfStudy{"release-of-study", Severity::kWarning,
                                      "{} is predicted from where the study lets the vehicle go: {}",
-                                     "of another height, make it a history of the study with 'use: validation' and a "
-                                     "'release' of its own"};
+                                     "state its own by --release, such as --release z_body=\"50 mm\""};
+inline const Finding kReleaseOption{"release-option", Severity::kError, "'{}' is no release",
+                                    "state estimated, \"at rest\", or the readings above rest at which the vehicle was "
+                                    "held: z_body=\"50 mm\",z_axle=estimated"};
 inline const Finding kReleaseUnknown{
     "release-unknown", Severity::kError, "'release' of {} is '{}'",
     "state 'estimated' (any pose and velocity), 'at rest' (any pose), or the readings above rest of displacement "

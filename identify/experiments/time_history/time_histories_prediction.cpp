@@ -14,6 +14,7 @@
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
 #include "identify/experiments/time_history/kalman_noise_json.h"
 #include "identify/experiments/time_history/kalman_progress.h"
+#include "identify/experiments/time_history/release_text.h"
 #include "identify/experiments/time_history/remedied_error.h"
 #include "identify/experiments/time_history/time_histories.h"
 #include "identify/residuals/history_misfit_json.h"
@@ -83,7 +84,7 @@ class HistoryPrediction {
   /// The recording does not say from where it was let go.
   void WarnOfRelease(const MeasuredHistory& history, Diagnostics& findings) const {
     std::string heights;
-    if (history.release)
+    if (history.release && request_.release.empty())
       for (const Release::Hold& hold : history.release->held)
         if (hold.reading_m)
           heights += (heights.empty() ? "" : ", ") + hold.sensor + " " + Rounded(1e3 * *hold.reading_m, 4) + " mm";
@@ -111,12 +112,22 @@ class HistoryPrediction {
     // Beside this file there is none.
     history.preparation.others.clear();
     history.setting = request_.setting;
+    if (request_.start_s) history.start_s = request_.start_s;
+    if (!request_.release.empty()) LetGo(history);
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
     MapByName(subject_.vehicle(), history);
     KeepMeasured(recording, table->names(), history.channels, findings);
     return history;
+  }
+
+  /// No post moves it then.
+  void LetGo(StudyHistory& history) const {
+    history.release = ParseRelease(request_.release);
+    if (!history.release) Refuse(kReleaseOption, Place::Option("--release"), {request_.release});
+    history.posts.clear();
+    history.has_posts_by_name = false;
   }
 
   MeasuredHistory Load(const std::filesystem::path& recording, Diagnostics& findings) const {

@@ -52,13 +52,13 @@ double ErrorOfBridging(std::span<const double> input, std::size_t gap, std::size
 }
 
 double SettlingTimeOf(const Vehicle& vehicle, const MeasuredHistory& history) {
-  constexpr double kLongest_s = 10;
+  constexpr double kLongestMemory_s = 10;
   double settled_s = 0;
   for (const Mode& mode : ModesOf(CondensedVehicle(vehicle).At(history.setting.At(vehicle.ParameterValues())))) {
     const double one = SettlingTime_s(mode);
     // Also of modes without damping.
-    const bool ends = one >= 0 && one < kLongest_s;
-    settled_s = std::max(settled_s, ends ? one : kLongest_s);
+    const bool ends = one >= 0 && one < kLongestMemory_s;
+    settled_s = std::max(settled_s, ends ? one : kLongestMemory_s);
   }
   return settled_s;
 }
