@@ -77,6 +77,19 @@ class PointCheck {
     const double height = axle.At("wheel_centre").z() - axle.At("contact").z();
     if (!(height > 0.1 && height < 1.5))
       Report(PointOf(axle, "contact"), kTyreSize, {axle.axle, Millimetres(height), "z"});
+    else CheckContact(axle);
+  }
+
+  /// Its height alone is used.
+  void CheckContact(const AxlePoints& axle) {
+    // Drawings often have it below the centre of a wheel with a degree of camber.
+    constexpr double kUsual = 6e-3;
+    const Eigen::Vector3d centre = axle.At("wheel_centre");
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
+    if (IsKnown(axle, "wheel_axis") && (axle.At("wheel_axis") - centre).norm() > kNoLength)
+      axis = (axle.At("wheel_axis") - centre).normalized();
+    const double beside = std::abs(axis.dot(axle.At("contact") - centre));
+    if (beside > kUsual) Report(PointOf(axle, "contact"), kContactBeside, {axle.axle, Millimetres(beside)});
   }
 
   void CheckOrder() {

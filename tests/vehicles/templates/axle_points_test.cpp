@@ -134,6 +134,18 @@ TEST(AxlePoints, ReportsAWheelAxisThatPointsInward) {
   EXPECT_THAT(same.Findings(), ReportsOnly(kLinkWithoutLength, 90, {"wheel_axis", "wheel_centre"}));
 }
 
+// 8 mm over 310 mm are 1.5 degrees of camber, which the axis has to state.
+TEST(AxlePoints, WarnsOfAContactBesideTheWheel) {
+  ChangedPoints points;
+  const Eigen::Vector3d contact = points.At("front", "contact").xyz;
+  points.At("front", "contact").xyz.y() += 0.008;
+  EXPECT_THAT(points.Findings(), ReportsOnly(kContactBeside, points.At("front", "contact").line, {"front", "8 mm"}));
+  const Eigen::Vector3d centre = points.At("front", "wheel_centre").xyz;
+  const double slope = 0.008 / (centre.z() - contact.z());
+  points.Add({.axle = "front", .name = "wheel_axis", .xyz = centre + Eigen::Vector3d(0, 0.1, 0.1 * slope), .line = 90});
+  EXPECT_EQ(points.Findings().Format(), "");
+}
+
 // Such an axle moves sideways until its tyres stop it.
 TEST(AxlePoints, ReportsFourLinksThatAreParallel) {
   const auto kinds = KindsOf("macpherson", "four_link");
