@@ -76,6 +76,8 @@ inline const Finding kEndedWithoutDeviations{"ended-without-deviations", Severit
 inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::kWarning,
                                             "the data do not change when these parameters change together: {}",
                                             "fix one, give it a prior, or measure a force"};
+inline const Finding kWithoutEffect{"without-effect", Severity::kWarning, "the data do not change with {}",
+                                    "fix it, give it a prior, or record a motion that reaches what it is of"};
 inline const Finding kIntervalFillsBounds{"interval-fills-bounds", Severity::kWarning,
                                           "intervals reach from bound to bound, so the data do not determine: {}",
                                           "widen bounds that are guesses, or measure a channel that depends on them"};

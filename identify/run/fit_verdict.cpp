@@ -104,7 +104,12 @@ void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
   const Covariance& covariance = *fit.covariance;
   if (covariance.rank >= covariance.directions.cols()) return;
   if (covariance.directions.cols() == 1) return conclusions.Report(kParameterUndetermined, {});
-  for (const std::string& combination : fit.weakest) conclusions.Report(kDirectionUndetermined, {}, {combination});
+  for (const std::string& combination : fit.weakest) {
+    const bool is_one = combination.find(',') == std::string::npos;
+    const std::string name = combination.substr(0, combination.find(' '));
+    if (is_one) conclusions.Report(kWithoutEffect, {}, {name});
+    else conclusions.Report(kDirectionUndetermined, {}, {combination});
+  }
 }
 
 /// Parameters that only their bounds limit, though they have a deviation.

@@ -214,6 +214,8 @@ TEST(Conclusions, NameWhatHasNoStandardDeviation) {
   const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
   EXPECT_THAT(conclusions, Reports(kDerivativeNoise, 0, {"v_knee"}));
   EXPECT_THAT(conclusions, Reports(kDirectionUndetermined, 0, {"m +1 %, k +1 %"}));
+  fit.weakest = {"v_knee +1 %"};
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kWithoutEffect, 0, {"change with v_knee"}));
   fit.covariance->directions = Eigen::MatrixXd::Identity(1, 1);
   fit.covariance->rank = 0;
   EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kParameterUndetermined, 0));
