@@ -18,7 +18,8 @@ std::vector<Json> MissingOf(const Json& result) { return ListAt(result.value("mi
 
 /// "dry friction beside damper 'front' (149 N)"
 std::string AdditionText(const Json& missing) {
-  return html::Escaped(TextAt(missing, "text") + " (" + TextAt(missing, "expected") + ")");
+  const std::string expected = TextAt(missing, "expected");
+  return html::Escaped(TextAt(missing, "text") + (expected.empty() ? "" : " (" + expected + ")"));
 }
 
 /// "<code>k</code> +11 %, ..."

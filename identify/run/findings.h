@@ -76,6 +76,13 @@ inline const Finding kEndedWithoutDeviations{"ended-without-deviations", Severit
 inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::kWarning,
                                             "the data do not change when these parameters change together: {}",
                                             "fix one, give it a prior, or measure a force"};
+inline const Finding kEndedAtBounds{"ended-at-bounds", Severity::kWarning, "parameters ended at their bounds: {}",
+                                    "widen bounds that are guesses; else check zeros, signs and units of what was "
+                                    "measured, or the model lacks something"};
+inline const Finding kFarFromPrior{"far-from-prior", Severity::kWarning,
+                                   "the data contradict what was known: {} standard deviations of the prior from it",
+                                   "check the prior, the scale of forces and posts, and what is held; a model that "
+                                   "lacks something moves parameters as well"};
 inline const Finding kWithoutEffect{"without-effect", Severity::kWarning, "the data do not change with {}",
                                     "fix it, give it a prior, or record a motion that reaches what it is of"};
 inline const Finding kIntervalFillsBounds{"interval-fills-bounds", Severity::kWarning,

@@ -218,9 +218,12 @@ std::string MissingText(const nlohmann::ordered_json& missing, bool is_large) {
                 : "") +
            together;
   std::string text = "The model probably lacks, each alone (`fourpost suggest` lists all):\n";
-  for (const auto& one : missing["suggestions"])
-    text += "  " + one["text"].get<std::string>() + ", " + one["expected"].get<std::string>() +
+  for (const auto& one : missing["suggestions"]) {
+    // What only moves a part has no number of its own.
+    const auto expected = one["expected"].get<std::string>();
+    text += "  " + one["text"].get<std::string>() + (expected.empty() ? "" : ", " + expected) +
             ": lowers the cost by " + Rounded(one["fall_percent"], 2) + " %\n";
+  }
   return text + together;
 }
 

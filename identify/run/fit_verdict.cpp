@@ -128,6 +128,27 @@ void AddLimitedByBounds(const FitResult& fit, Diagnostics& conclusions) {
   if (!of_held.empty()) conclusions.Report(kHeldFillsBounds, {}, {of_held});
 }
 
+/// Where the data would take it further: zero is often the end of what is physical.
+void AddAtBounds(const FitResult& fit, Diagnostics& conclusions) {
+  std::string names;
+  for (const FittedParameter& one : fit.parameters) {
+    const bool is_lower = one.BoundName() == "lower";
+    if (one.at_bound && (is_lower ? one.lower : one.upper) != 0)
+      names += (names.empty() ? "" : ", ") + one.name + (is_lower ? " (lower)" : " (upper)");
+  }
+  if (!names.empty()) conclusions.Report(kEndedAtBounds, {}, {names});
+}
+
+/// By chance in one of 16,000 parameters.
+void AddFarFromPrior(const FitResult& fit, Diagnostics& conclusions) {
+  constexpr double kFar = 4;
+  std::string names;
+  for (const FittedParameter& one : fit.parameters)
+    if (std::abs(one.FromPrior()) > kFar)
+      names += (names.empty() ? "" : ", ") + one.name + " is " + ShortNumber(std::abs(one.FromPrior()), 2);
+  if (!names.empty()) conclusions.Report(kFarFromPrior, {}, {names});
+}
+
 /// A best point that no other refinement found.
 void AddDisagreement(const FitResult& fit, Diagnostics& conclusions) {
   constexpr int kEnough = 3;
@@ -210,6 +231,8 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
   if (has_deviations && fit.are_calibrations_unused) conclusions.Report(kCalibrationUnused, {});
   if (has_deviations) {
     AddOtherOptima(fit, conclusions);
+    AddAtBounds(fit, conclusions);
+    AddFarFromPrior(fit, conclusions);
     AddLimitedByBounds(fit, conclusions);
     AddCalibrations(fit, conclusions);
     AddHeld(fit, conclusions);

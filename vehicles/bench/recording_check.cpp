@@ -281,15 +281,25 @@ class Checker {
     Signal places;
     Signal middles;
     Signal resting;
-    for (std::size_t i = 1; i < turns_.size(); ++i) {
+    for (std::size_t i = 2; i + 1 < turns_.size(); ++i) {
+      if (!IsOneOfAlike(i)) continue;
       places.push_back(0.5 * static_cast<double>(turns_[i] + turns_[i - 1]));
       middles.push_back(0.5 * (x_[turns_[i]] + x_[turns_[i - 1]]));
       resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
     }
+    if (places.size() + 2 < kFewest) return;
     ReportDrift(places, middles, SpanOf(x_), "displacement", "m");
     // Of a force that is late it is that of some speed.
     if (!is_delayed_ && samples_in_cycle_ >= kFewestForForce)
       ReportDrift(places, resting, SpanOf(force_), "force at the turning points", "N");
+  }
+
+  /// Whether the swing to this turning point is as long as those beside it: the first one out of a rest and the last
+  /// one into it have their middle elsewhere.
+  bool IsOneOfAlike(std::size_t i) const {
+    constexpr double kChange = 0.2;
+    const auto swing = [&](std::size_t k) { return std::abs(x_[turns_[k]] - x_[turns_[k - 1]]); };
+    return std::abs(swing(i - 1) / swing(i) - 1) < kChange && std::abs(swing(i + 1) / swing(i) - 1) < kChange;
   }
 
   /// By a straight line through the values over their places in the recording: turning points crowd where it is fast.

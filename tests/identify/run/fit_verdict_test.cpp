@@ -73,6 +73,20 @@ TEST(FitVerdict, NamesParametersThatOnlyTheirBoundsLimit) {
   EXPECT_THAT(of_held, testing::Not(Reports(kIntervalFillsBounds, 0)));
 }
 
+// Friction that ends at zero is none; a weighed mass may end two deviations from what was weighed.
+TEST(FitVerdict, NamesParametersThatEndedWhereNoneWasExpected) {
+  FitResult fit;
+  fit.parameters = {{.name = "F_gas", .value = 100, .lower = 0, .upper = 100},
+                    {.name = "F_seal", .value = 0, .lower = 0, .upper = 50},
+                    {.name = "m", .start = 1485, .value = 1300, .prior_sd = 8, .lower = 1300, .upper = 1700},
+                    {.name = "m_axle", .start = 100, .value = 103, .prior_sd = 1, .lower = 50, .upper = 200}};
+  for (const std::size_t i : {0U, 1U, 2U}) fit.parameters[i].at_bound = true;
+  const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
+  EXPECT_THAT(conclusions, Reports(kEndedAtBounds, 0, {"F_gas (upper), m (lower)"}));
+  EXPECT_THAT(conclusions, Reports(kFarFromPrior, 0, {"m is 23 standard deviations"}));
+  EXPECT_THAT(conclusions, testing::Not(Reports(kFarFromPrior, 0, {"m_axle"})));
+}
+
 // Two starts may well end apart, and one refinement has nothing to agree with.
 TEST(FitVerdict, NamesABestOptimumThatOneOfManyRefinementsFound) {
   FitResult fit;
