@@ -225,23 +225,21 @@ TEST(RecordingCheck, TellsDrift) {
                                           Reports(kSignalDrifts, {"force at the turning points"})));
 }
 
-// The way out of a rest to the first crest has its middle elsewhere, and so has the way back.
+// Swings that grow out of a rest within a cycle, and fall into it, have their middles elsewhere.
 TEST(RecordingCheck, TakesTheWayOutOfARestForNoDrift) {
-  const TimeRecording good = Good();
-  for (const std::size_t cycles : {6, 7, 8}) {
-    TimeRecording recording = good;
-    for (std::vector<double>& channel : recording.channels) {
-      // Whole cycles from the middle, and the rest again.
-      channel.resize(500 * cycles + 1);
-      channel.insert(channel.begin(), 500, 0.0);
-      channel.insert(channel.end(), 500, 0.0);
+  TimeRecording recording = Good();
+  for (std::vector<double>& channel : recording.channels) {
+    channel.resize(500 * 7 + 1);
+    for (std::size_t k = 0; k < 400; ++k) {
+      const double ramp = static_cast<double>(k) / 400;
+      channel[k] *= ramp;
+      channel[channel.size() - 1 - k] *= ramp;
     }
-    // Noise turns at rest as well.
-    for (std::size_t k = 0; k < recording.channels[0].size(); ++k)
-      recording.channels[0][k] += 2e-6 * std::sin(1.7 * static_cast<double>(k * k % 101));
-    recording.end_s = 2 + static_cast<double>(cycles);
-    EXPECT_THAT(WarningOf(recording), ReportsNothing()) << cycles;
+    channel.insert(channel.begin(), 500, 0.0);
+    channel.insert(channel.end(), 500, 0.0);
   }
+  recording.end_s = 9;
+  EXPECT_THAT(WarningOf(recording), ReportsNothing());
 }
 
 // 3 % of the largest force within a minute.
