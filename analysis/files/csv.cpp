@@ -14,6 +14,7 @@
 #include "analysis/files/text_file.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/text/number.h"
+#include "analysis/text/utf8.h"
 
 namespace fourpost {
 namespace {
@@ -73,6 +74,7 @@ class CsvParser {
     if (record_.fault) return Fault(record_.line, record_.fault);
     if (IsRowWithoutNames(record_, scanner_)) return NameColumns();
     table_.names_ = record_.fields;
+    for (std::string& name : table_.names_) name = Utf8OfEither(name);
     table_.names_line_ = record_.line;
     names_are_marked_ = TakeMark(table_.names_.front());
     const bool ends_with_separator = table_.columns() > 1 && table_.names_.back().empty();
@@ -162,7 +164,7 @@ class CsvParser {
     std::vector<std::string> fields = record_.fields;
     // "%" may be a unit.
     if (names_are_marked_) TakeMark(fields.front());
-    for (std::string& field : fields) field = WithoutBrackets(field);
+    for (std::string& field : fields) field = Utf8OfEither(WithoutBrackets(field));
     if (IsRowOfUnits(fields)) {
       table_.units_ = std::move(fields);
       return;

@@ -41,4 +41,25 @@ std::string ValidUtf8(std::string_view text) {
   return valid;
 }
 
+std::string Utf8OfEither(std::string_view text) {
+  bool is_utf8 = true;
+  for (std::size_t at = 0; is_utf8 && at < text.size();) {
+    const std::size_t length = LengthOfCharacter(text, at);
+    is_utf8 = length > 0;
+    at += length;
+  }
+  if (is_utf8) return std::string(text);
+  std::string converted;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte < 0x80) {
+      converted += letter;
+    } else {
+      converted += static_cast<char>(0xC0 | (byte >> 6));
+      converted += static_cast<char>(0x80 | (byte & 0x3F));
+    }
+  }
+  return converted;
+}
+
 }  // namespace fourpost

@@ -43,6 +43,12 @@ TEST(Csv, HasNamesAndRowsAndTheirLines) {
   EXPECT_FALSE(table.FindColumn("phase"));
 }
 
+TEST(Csv, HasNamesAndUnitsOfLatin1InUtf8) {
+  const CsvTable table = ParseGood("Weg,Beschl\xE4unigung\nmm,m/s\xB2\n1,2\n", CsvHeader::kNamesAndUnits);
+  EXPECT_THAT(table.names(), ElementsAre("Weg", "Beschl\u00E4unigung"));
+  EXPECT_THAT(table.units(), ElementsAre("mm", "m/s\u00B2"));
+}
+
 TEST(Csv, NeedsNoLineBreakAtItsEnd) { EXPECT_EQ(ParseGood("f\n1\n2").rows(), 2); }
 
 TEST(Csv, LeavesOutALastRowThatIsCutOff) {

@@ -23,5 +23,13 @@ TEST(ValidUtf8, ReplacesEachByteThatBelongsToNone) {
   EXPECT_EQ(ValidUtf8("\xF4\x90\x80\x80"), "\uFFFD\uFFFD\uFFFD\uFFFD");
 }
 
+TEST(Utf8OfEither, TakesOtherTextForLatin1) {
+  EXPECT_EQ(Utf8OfEither("Kraftme\u00DFdose"), "Kraftme\u00DFdose");
+  EXPECT_EQ(Utf8OfEither("Kraftme\xDF"
+                         "dose \xB0"
+                         "C"),
+            "Kraftme\u00DFdose \u00B0C");
+}
+
 }  // namespace
 }  // namespace fourpost::utf8_test
