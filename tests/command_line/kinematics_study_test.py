@@ -41,7 +41,7 @@ class KinematicsStudy(ProgramTest):
     def test_fits_points_and_bushes_to_the_files_of_kinematics(self):
         self.car()
         self.run_program("kinematics", "car/vehicle.urdf", "--set", "dz_upper_ball=3mm", "--set", "dz_tie_outer=-2mm",
-                         "--set", "k_rear_pivot=3kN/mm", "--travel", "40mm", "--step", "20mm", "-o", "kin")
+                         "--set", "k_rear_pivot=3kN/mm", "--travel", "30mm", "--step", "30mm", "-o", "kin")
         self.write("study.yaml", STUDY)
         text = self.run_program("fit", "study.yaml", "-o", "run").stdout
         self.assertIn("rig table", text)
