@@ -61,7 +61,8 @@ class KinematicsStudy(ProgramTest):
         page = (self.folder / "run/report.html").read_text()
         self.assertIn("Kinematics and compliance", page)
         # The fitted vehicle has the points: it stands alone.
-        self.assertIn('name="dz_upper_ball" value="3', (self.folder / "run/vehicle.urdf").read_text())
+        value, = re.findall('name="dz_upper_ball" value="(.*?) mm"', (self.folder / "run/vehicle.urdf").read_text())
+        self.assertAlmostEqual(float(value), 1e3 * fitted["dz_upper_ball"]["value"], places=9)  # digits of a double
         self.predicts()
 
     def predicts(self):
