@@ -11,7 +11,7 @@ class ChooseByLoop(ProgramTest):
     def test_chosen_clicks_are_the_best_within_one_percent(self):
         study = SOURCE / "studies/choose_by_loop/loop.py"
         # A car for which the first choice is in doubt, so that a test is worth its run.
-        options = "--cars 6 --benched 4,10,16 --step 3 --tests 1 --draws 20"
+        options = "--cars 6 --benched 4,10,16 --step 3 --tests 1 --draws 20 --road 5"
         outcome = self.run_python(study, FOURPOST, "loop", *options.split())
         command, *rows = outcome.splitlines()
         self.assertEqual(command, f"# loop.py PROGRAM FOLDER {options}")
