@@ -121,11 +121,17 @@ def identify_car(program, folder, car):
     return len(MODES)
 
 
-def choose(program, folder, fit, choice, draws, step):
+def settings(options):
+    """The file as it is shipped, with the draws and the length of road that are asked for."""
+    text = re.sub(r"draws: \d+", f"draws: {options.draws}", (HERE / "settings.yaml").read_text())
+    return text + (f"duration: {options.road} s\n" if options.road else "")
+
+
+def choose(program, folder, fit, choice, options):
     """Steps 3 and 6: the best clicks, and those to test next."""
-    text = re.sub(r"draws: \d+", f"draws: {draws}", (HERE / "settings.yaml").read_text())
+    text = settings(options)
     laws = laws_of_bench(folder)
-    positions = f"from: {min(laws)}, to: {max(laws)}, step: {step}"
+    positions = f"from: {min(laws)}, to: {max(laws)}, step: {options.step}"
     (folder / "settings.yaml").write_text(text.replace("from: 1, to: 20", positions))
     run(program, "choose", folder / fit, "--settings", folder / "settings.yaml", "--threads", "1", "-o", folder / choice)
     return json.loads((folder / choice / "result.json").read_text())
@@ -164,12 +170,12 @@ def identify_car_again(program, folder, tests):
     run(program, "fit", folder / "car_again.yaml", "-o", folder / "car_2", "--no-suggest", "--threads", "1")
 
 
-def true_costs(program, folder, car):
+def true_costs(program, folder, car, options):
     """What 400 runs on the rig would tell: every pair of clicks in the true car, without doubt; twelve of the best by time
     histories, which correct the spectra of all."""
     knob = lambda axle, now: ("{sets: {" + ", ".join(f"f{i}_{axle}: f{i}" for i in range(len(SPEEDS))) +
                               f"}}, table: true_clicks.csv, now: {now}, change: absolute}}")
-    text = (HERE / "settings.yaml").read_text()
+    text = settings(options)
     roads = text[text.index("roads:"):]
     (folder / "true_settings.yaml").write_text(
         "knobs:\n" + "".join(f"  {axle}: {knob(axle, now)}\n" for axle, now in zip(AXLES, PRESENT)) + roads +
@@ -189,14 +195,14 @@ def loop(program, folder, seed, options):
     """One car; the folder holds the benched dampers."""
     car = Car(program, folder, seed)
     rig_runs = identify_car(program, folder, car)
-    first = choose(program, folder, "car_1", "choice_1", options.draws, options.step)
+    first = choose(program, folder, "car_1", "choice_1", options)
     tests = clicks_to_test(folder, options.tests)
     last = first
     if tests:
         rig_runs += test_on_rig(car, tests)
         identify_car_again(program, folder, tests)
-        last = choose(program, folder, "car_2", "choice_2", options.draws, options.step)
-    costs = true_costs(program, folder, car)
+        last = choose(program, folder, "car_2", "choice_2", options)
+    costs = true_costs(program, folder, car, options)
     best = min(costs, key=costs.get)
     best_of_rated = min(rated(folder, "choice_1"), key=costs.get)
     row = {"car": seed, "rig_runs": rig_runs, "tested": " ".join(f"{f}/{r}" for f, r in tests), "true_best": "%d/%d" % best,
@@ -247,6 +253,8 @@ def main():
     arguments.add_argument("--benched", type=clicks_to_bench, help="clicks on the bench, such as 4,10,16 (default: those of "
                            "FOLDER/bench, else " + ",".join(map(str, BENCHED)) + ")")
     arguments.add_argument("--step", type=int, default=1, help="3 rates each third click, 49 settings in place of 400")
+    arguments.add_argument("--road", type=int, help="seconds of road of the time histories that check a choice, as `choose` "
+                           "has them: 60")
     options = arguments.parse_args()
     first, _, last = options.cars.partition("..")
     options.folder.mkdir(parents=True, exist_ok=True)

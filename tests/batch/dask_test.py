@@ -40,7 +40,7 @@ def serial(batch):
 
 def test_a_worker_of_another_build_is_refused_and_one_that_is_killed_is_replaced(batch, cluster):
     batch.study("a.yaml", "delay 0.1")
-    batch.write("plan.yaml", "fits:\n  - {study: a.yaml, seeds: 1..60}\npredictions: [{of: a, recordings: plan.yaml}]\n")
+    batch.write("plan.yaml", "fits:\n  - {study: a.yaml, seeds: 1..30}\npredictions: [{of: a, recordings: plan.yaml}]\n")
     other = batch.write("other_program", STUB.read_text() + "# Another build.\n")
     other.chmod(0o755)
     for _ in range(2):
@@ -58,7 +58,7 @@ def test_a_worker_of_another_build_is_refused_and_one_that_is_killed_is_replaced
     printed, said = batch_run.communicate(timeout=100)
     assert batch_run.returncode == 0, said
     assert killed and "was killed by signal 9" in (cluster.folder / "log1").read_text()
-    assert "120 done" in printed
+    assert "60 done" in printed
     assert "[batch-worker-of-other-build]" in said and str(other) in said
     # Another batch may be of its build.
     assert cluster.processes[3].poll() is None and cluster.working(cluster.processes[3])
@@ -72,7 +72,7 @@ def test_batches_of_different_builds_share_a_scheduler(batch, cluster):
     programs = {"a": STUB, "b": other}
     for name, program in programs.items():
         batch.study(f"{name}.yaml", "delay 0.1")
-        batch.write(f"{name}.plan", f"fits: [{{study: {name}.yaml, seeds: 1..30}}]\n"
+        batch.write(f"{name}.plan", f"fits: [{{study: {name}.yaml, seeds: 1..20}}]\n"
                                     f"predictions: [{{of: {name}, recordings: a.yaml}}]\n")
         cluster.worker(FOURPOST_PROGRAM=str(program))
     both = {name: start(batch, cluster, f"{name}.plan", name, program) for name, program in programs.items()}
@@ -81,7 +81,7 @@ def test_batches_of_different_builds_share_a_scheduler(batch, cluster):
     killed = [cluster.kill_worker(nanny) for nanny in cluster.processes[1:]]
     for one in both.values():
         printed, said = one.communicate(timeout=100)
-        assert one.returncode == 0 and "60 done" in printed, said
+        assert one.returncode == 0 and "40 done" in printed, said
         assert said.count("[batch-worker-of-other-build]") >= 1
     assert killed == [True, True] and all(cluster.working(nanny) for nanny in cluster.processes[1:])
     assert plugins(cluster) == []
@@ -93,7 +93,7 @@ def test_batches_of_different_builds_share_a_scheduler(batch, cluster):
 
 def test_no_worker_and_no_scheduler_are_said(batch, cluster):
     batch.study("a.yaml", "delay 0.2")
-    batch.write("plan.yaml", PLAN % 50)
+    batch.write("plan.yaml", PLAN % 25)
     other = batch.write("other_program", STUB.read_text() + "# Another build.\n")
     other.chmod(0o755)
     cluster.worker(FOURPOST_PROGRAM=str(other))
@@ -118,7 +118,7 @@ def test_no_worker_and_no_scheduler_are_said(batch, cluster):
     # What is there is paid no more.
     there = len(list(batch.folder.glob("out/units/*/[!.]*.json")))
     assert there >= 4 and batch.json("--output=out", "--workers=8")["work"] == {
-        "found": there, "paid": 50 - there, "tried_again": 0}
+        "found": there, "paid": 25 - there, "tried_again": 0}
 
 
 def start(batch, cluster, plan, output, program=STUB):

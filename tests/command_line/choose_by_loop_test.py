@@ -11,12 +11,12 @@ class ChooseByLoop(ProgramTest):
     def test_chosen_clicks_are_the_best_within_one_percent(self):
         study = SOURCE / "studies/choose_by_loop/loop.py"
         # A car for which the first choice is in doubt, so that a test is worth its run.
-        options = "--cars 6 --benched 4,10,16 --step 3 --tests 1 --draws 20"
+        options = "--cars 6 --benched 4,10,16 --step 3 --tests 1 --draws 20 --road 10"
         outcome = self.run_python(study, FOURPOST, "loop", *options.split())
         command, *rows = outcome.splitlines()
         self.assertEqual(command, f"# loop.py PROGRAM FOLDER {options}")
         car, = csv.DictReader(rows)
-        # Of what 400 runs would tell; the present clicks are worse by 5.0 %.
+        # Of what 400 runs would tell; the present clicks are worse by 4.2 %.
         self.assertGreater(float(car["present_regret"]), 3)
         self.assertLess(float(car["last_true_regret"]), 1)
         # Heave, pitch, the present clicks on a road, and one test.

@@ -5,7 +5,7 @@ import unittest
 
 import jsonschema
 
-from program import SOURCE, ProgramTest
+from program import SOURCE, FittedStarter
 
 SCHEMA = json.loads((SOURCE / "identify/command_line/schema/choose.json").read_text())
 SETTINGS = """knobs:
@@ -28,11 +28,9 @@ PARAMETERS
 CLICKS = "click,bump,rebound\n,N*s/m,N*s/m\n1,500,700\n3,900,1500\n6,1400,3000\n"
 
 
-class Choose(ProgramTest):
+class Choose(FittedStarter):
     def setUp(self):
         super().setUp()
-        self.run_program("init", "car")
-        self.run_program("fit", "car/study.yaml", "-o", "run", "--threads", "1")
         self.write("clicks.csv", CLICKS)
         self.write("settings.yaml", SETTINGS)
 

@@ -26,9 +26,9 @@ class FitTest(ProgramTest):
         return json.loads(self.read("result/result.json"))
 
     def write_joint(self, text):
-        """Eight of its sweep's sixty seconds, two of its parameters: what is fitted and what is predicted stay the same."""
+        """Four of its sweep's sixty seconds, two of its parameters: what is fitted and what is predicted stay the same."""
         for old, new in (("evaluations: 100", "evaluations: 5"), ("starts: 4", "starts: 1"),
-                         ("    file: bounce_sweep.csv\n", "    file: bounce_sweep.csv\n    start: 20 s\n    end: 28 s\n")):
+                         ("    file: bounce_sweep.csv\n", "    file: bounce_sweep.csv\n    start: 20 s\n    end: 24 s\n")):
             self.assertIn(old, text)
             text = text.replace(old, new)
         self.write(JOINT, text + "\nfree: [c_front_rebound, c_rear_rebound]\n")

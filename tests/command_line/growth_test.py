@@ -167,6 +167,9 @@ class Growth(ProgramTest):
                 "at_bound": [], "kept": True, "reason": ""}
 
     def fit_with_any_end(self, study, folder):
+        # The file's values begin near the optimum: a search finds no other.
+        text = (self.folder / study).read_text()
+        self.write(study, text.replace("evaluations: 40", "evaluations: 1"))
         words = "fit", study, "-o", folder, "--threads", "1", "--no-suggest", "--accept-implausible", "--accept-unidentified"
         return subprocess.run([FOURPOST, *words], cwd=self.folder, capture_output=True).returncode
 

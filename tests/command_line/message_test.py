@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import FOURPOST, SOURCE, ProgramTest
+from program import FOURPOST, SOURCE, FittedStarter, ProgramTest
 
 
 def paths(value, path=()):
@@ -22,11 +22,9 @@ def at(document, path):
     return document
 
 
-class Report(ProgramTest):
+class Report(FittedStarter):
     def setUp(self):
         super().setUp()
-        self.run_program("init", "car")
-        self.run_program("fit", "car/study.yaml", "-o", "run")
         self.result = (self.folder / "run/result.json").read_text()
 
     def test_takes_results_of_another_version(self):
@@ -108,13 +106,8 @@ class Report(ProgramTest):
         self.assertIn('"rows":200000', page)
 
 
-class Outputs(ProgramTest):
+class Outputs(FittedStarter):
     """No command writes over another one's results, nor over what a user has."""
-
-    def setUp(self):
-        super().setUp()
-        self.run_program("init", "car")
-        self.run_program("fit", "car/study.yaml", "-o", "run")
 
     def content(self):
         return {file: file.read_bytes() for file in self.folder.rglob("*") if file.is_file()}

@@ -156,3 +156,17 @@ class ProgramTest(unittest.TestCase):
         if outcome.returncode != 0:
             raise AssertionError(f"exit code {outcome.returncode}: {outcome.stderr}")
         return outcome
+
+
+class FittedStarter(ProgramTest):
+    """In a folder with the starter study, `car`, and its fit, `run`, which are made once for the tests of a class."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.make_kept()
+        cls.run_kept("init", "car")
+        cls.run_kept("fit", "car/study.yaml", "-o", "run")
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.kept, self.folder, dirs_exist_ok=True)

@@ -200,7 +200,7 @@ class Unanswered(ResponseTest):
         self.assertNotIn("nan", self.read("none/response.svg"))
 
     def test_frequencies_among_others_end_with_1(self):
-        errors = self.respond(CAR, "--frequencies 3Hz:30Hz:2 --engine time",
+        errors = self.respond(CAR, "--frequencies 0.8Hz:30Hz:2 --engine time",
                               "--set c_bump=20N*s/m --set c_rebound=20N*s/m", code=1).stderr
         for part in ("heave: no answer at 1 of 2 ", "[frequencies-unanswered]"):
             self.assertIn(part, errors)

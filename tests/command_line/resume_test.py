@@ -109,7 +109,7 @@ class ResumeTest(ProgramTest):
 class ResumeOfAKilledFit(ResumeTest):
     # A quarter car: little but evaluations.
     study = "studies/starter/study.yaml"
-    changes = {"  evaluations: 100\n": "  evaluations: 1500\n  generations: 1000\n"}
+    changes = {"  evaluations: 100\n": "  evaluations: 800\n  generations: 1000\n"}
 
     def test_after_fifty_kills_gives_the_result_of_an_uninterrupted_fit(self):
         self.assert_no_evaluation_twice("whole")

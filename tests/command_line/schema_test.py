@@ -92,7 +92,7 @@ class Schema(ProgramTest):
         self.copy("studies/single_wheel_station", "meshes")
         study = "studies/single_wheel_station/model1.yaml"
         # A quarter of the recording has the same keys.
-        self.replace_in(study, "sweep_12mm.csv\n", "sweep_12mm.csv\n    end: 8 s\n")
+        self.replace_in(study, "sweep_12mm.csv\n", "sweep_12mm.csv\n    end: 4 s\n")
         self.replace_in(study, "evaluations: 60", "evaluations: 5")
         misfits = self.check("study_response", "response", study)
         self.assertEqual({misfit["recording"] for misfit in misfits["channels"]}, {"sweep_12mm"})

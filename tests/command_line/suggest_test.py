@@ -151,7 +151,7 @@ class Suggest(ProgramTest):
 
     def test_looks_for_delays_of_histories_and_states_the_misfit_of_the_fit(self):
         """With a channel that comes 12 ms late, other channels listed in braces, and noise on the posts as well."""
-        self.run_program("simulate", SOURCE / "urdf/quarter_car.urdf", "--road", "C", "--speed", "50km/h", "--duration", "12s",
+        self.run_program("simulate", SOURCE / "urdf/quarter_car.urdf", "--road", "C", "--speed", "50km/h", "--duration", "6s",
                          "--rate", "200Hz", "--engine", "reduced", "--seed", "7", "-o", "clean.csv")
         noise = add_noise(self.folder / "clean.csv", self.folder / "recording.csv", 0.01, seed=3)
         channels = {name: f"{{channel: {name}}}" for name in noise if name != "post_post"}

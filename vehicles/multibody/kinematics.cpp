@@ -5,6 +5,14 @@
 
 namespace fourpost {
 
+Kinematics::Kinematics(const Multibody& multibody) {
+  const int links = static_cast<int>(multibody.vehicle().links.size());
+  for (int link = 0; link < links; ++link) {
+    pose_.push_back(multibody.LinkPose(link));
+    jacobian_.emplace_back(multibody.LinkJacobian(link));
+  }
+}
+
 Kinematics::Kinematics(const Multibody& multibody, const Eigen::MatrixXd& tangent) {
   const int links = static_cast<int>(multibody.vehicle().links.size());
   for (int link = 0; link < links; ++link) {

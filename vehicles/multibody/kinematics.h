@@ -19,6 +19,8 @@ class Kinematics {
  public:
   /// `tangent`: joint coordinates x coordinates s. The multibody must already be in the intended pose.
   Kinematics(const Multibody& multibody, const Eigen::MatrixXd& tangent);
+  /// By the joint coordinates themselves.
+  explicit Kinematics(const Multibody& multibody);
 
   Coordinate LineLength(const ForceLine& line) const;
   /// Difference of the lengths of an anti-roll bar's lines, left - right.

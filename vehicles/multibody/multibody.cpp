@@ -232,6 +232,13 @@ Eigen::MatrixXd Multibody::LoopJacobian() const {
   return ToEigen(transposed).transpose();
 }
 
+Eigen::VectorXd Multibody::LoopForces(const Eigen::VectorXd& of_loops) const {
+  const SimTK::Vector multipliers(static_cast<int>(of_loops.size()), of_loops.data(), true);
+  SimTK::Vector forces;
+  impl_->matter.multiplyByGTranspose(impl_->state, multipliers, forces);
+  return ToEigen(forces);
+}
+
 Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& state) {
   impl_->SetState(t, state);
   impl_->system.realize(impl_->state, SimTK::Stage::Acceleration);

@@ -73,6 +73,8 @@ class Multibody {
   const std::vector<LoopClosure>& loop_closures() const;
   Eigen::VectorXd LoopError() const;
   Eigen::MatrixXd LoopJacobian() const;
+  /// Transpose of LoopJacobian times these: forces on q of the loops' forces, in a pass for all of them.
+  Eigen::VectorXd LoopForces(const Eigen::VectorXd& of_loops) const;
 
   /// Moves the vehicle to time t and state [q u z], for the functions below without a state. Throws std::runtime_error
   /// if Simbody cannot evaluate the state.

@@ -60,7 +60,7 @@ RestSolver::Equations RestSolver::At(const Eigen::VectorXd& q, const Guide& guid
   Equations equations{.lacking = Lacking(q), .error = {}, .jacobian = {}, .directions = {}};
   if (carried_.size() > 0) equations.lacking -= carried_;
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  const Guides guides = guide(Kinematics(multibody_, Eigen::MatrixXd::Identity(q.size(), q.size())));
+  const Guides guides = guide(Kinematics(multibody_));
   equations.error = Above(multibody_.LoopError(), guides.error);
   equations.jacobian = Above(loops, guides.jacobian);
   equations.directions = Above(loops, guides.directions);
@@ -70,9 +70,12 @@ RestSolver::Equations RestSolver::At(const Eigen::VectorXd& q, const Guide& guid
 Eigen::MatrixXd RestSolver::Stiffness(const Rest& rest, const Guide& guide) {
   // Truncation leaves 1e-10 of stiffnesses, rounding of some kN the same of those of bushes.
   constexpr double kStep = 1e-5;
+  // What is carried is the same in all poses.
   const auto rest_at = [&](const Eigen::VectorXd& q) {
-    const Equations equations = At(q, guide);
-    return Eigen::VectorXd(equations.lacking - equations.directions.transpose() * rest.forces);
+    const Eigen::VectorXd lacking = Lacking(q);
+    const Eigen::MatrixXd directions = guide(Kinematics(multibody_)).directions;
+    const Eigen::VectorXd of_loops = multibody_.LoopForces(rest.forces.head(rest.forces.size() - directions.rows()));
+    return Eigen::VectorXd(lacking - of_loops - directions.transpose() * rest.forces.tail(directions.rows()));
   };
   const Index n = rest.q.size();
   Eigen::MatrixXd stiffness(n, n);

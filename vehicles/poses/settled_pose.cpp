@@ -97,10 +97,7 @@ class Settling {
     multibody_.SetPose(multibody_.design_pose());
     return Here();
   }
-  Kinematics Here() const {
-    const int n = multibody_.coordinate_count();
-    return {multibody_, Eigen::MatrixXd::Identity(n, n)};
-  }
+  Kinematics Here() const { return Kinematics(multibody_); }
   static Eigen::Isometry3d PoseOf(const Kinematics& place, int link) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = place.Rotation(link);

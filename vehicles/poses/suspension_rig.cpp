@@ -116,7 +116,7 @@ bool SuspensionRig::IsRigid(const Pose& pose) { return solver_.FreeMotions(pose.
 
 Kinematics SuspensionRig::At(const Pose& pose) {
   multibody_.SetPose(pose.rest.q);
-  return {multibody_, Eigen::MatrixXd::Identity(pose.rest.q.size(), pose.rest.q.size())};
+  return Kinematics(multibody_);
 }
 
 std::optional<Eigen::VectorXd> SuspensionRig::Tangent(const Pose& pose, const Eigen::VectorXd& rise) {

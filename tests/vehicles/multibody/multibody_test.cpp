@@ -51,6 +51,18 @@ void ExpectParametersEqualARebuild(const Vehicle& vehicle) {
   ExpectParametersEqualARebuild(vehicle, OtherValues(vehicle));
 }
 
+TEST(Multibody, LoopForcesAreThoseOfItsLoopJacobian) {
+  Multibody multibody = Resting(ShippedVehicle("independent_roadster"));
+  const Eigen::VectorXd state = SomeState(multibody);
+  multibody.SetPose(state.head(multibody.coordinate_count()));
+  const Eigen::MatrixXd jacobian = multibody.LoopJacobian();
+  ASSERT_GT(jacobian.rows(), 1);
+  const Eigen::VectorXd forces = Eigen::VectorXd::LinSpaced(jacobian.rows(), -100, 1000);
+  const Eigen::VectorXd expected = jacobian.transpose() * forces;
+  // Rounding of sums over some tens of rows.
+  EXPECT_LT((multibody.LoopForces(forces) - expected).norm(), 1e-13 * expected.norm());
+}
+
 TEST(Multibody, ChangedParametersEqualARebuild) {
   ExpectParametersEqualARebuild(ShippedVehicle("landrover110_linkage"));
 }
