@@ -77,7 +77,7 @@ struct NamedDimension {
   std::string_view unit;
 };
 
-constexpr std::array<NamedDimension, 19> kDimensions = {{
+constexpr std::array<NamedDimension, 20> kDimensions = {{
     {kDimensionless, "pure number", "1"},
     {kMass, "mass", "kg"},
     {kLength, "length", "m"},
@@ -97,6 +97,7 @@ constexpr std::array<NamedDimension, 19> kDimensions = {{
     {kCubicStiffness, "cubic stiffness", "N/m^3"},
     {kTorque, "torque", "N*m"},
     {kAngularDamping, "rotational damping", "N*m*s"},
+    {kPerLength, "reciprocal length", "1/m"},
 }};
 
 /// The units in which parts of vehicles are given: one for numbers up to a limit, another for those from it on.
@@ -228,13 +229,15 @@ std::optional<Unit> ParseUnit(std::string_view text) {
 std::optional<Quantity> ParseQuantity(std::string_view text) {
   text = Trim(text);
   const std::size_t end_of_number = text.find_first_not_of("+-.0123456789eE");
-  const std::string_view unit_text =
-      end_of_number == std::string_view::npos ? std::string_view() : Trim(text.substr(end_of_number));
+  std::string unit_text(end_of_number == std::string_view::npos ? std::string_view()
+                                                                : Trim(text.substr(end_of_number)));
+  // "3/m" is "3 1/m".
+  if (unit_text.starts_with('/')) unit_text.insert(0, 1, '1');
   const std::optional<Scale> scale = unit_text.empty() ? Scale{} : ParseScale(unit_text);
   if (!scale) return std::nullopt;
   const std::optional<double> number = ParseNumber(text.substr(0, end_of_number), scale->power_of_ten);
   if (!number || !std::isfinite(*number * scale->factor)) return std::nullopt;
-  return Quantity{*number * scale->factor, {scale->si(), scale->dimension}, std::string(unit_text)};
+  return Quantity{*number * scale->factor, {scale->si(), scale->dimension}, unit_text};
 }
 
 std::string SiUnit(const Dimension& dimension) {

@@ -33,6 +33,7 @@ inline constexpr Dimension kCubicStiffness{1, -2, -2};
 inline constexpr Dimension kTorque{1, 2, -2};
 inline constexpr Dimension kAngularDamping{1, 2, -1};
 inline constexpr Dimension kDensity{1, -3, 0};
+inline constexpr Dimension kPerLength{0, -1, 0};
 
 /// A unit such as "kN*s/m": its size in SI and its dimension.
 struct Unit {
@@ -49,7 +50,7 @@ std::optional<Unit> ParseUnit(std::string_view text);
 struct Quantity {
   double si = 0;
   Unit unit;
-  /// The unit as written; empty when there was none.
+  /// The unit as written, 1/m of "3/m"; empty when there was none.
   std::string unit_text;
 };
 

@@ -210,7 +210,7 @@ Json Modes(const std::vector<Mode>& of) {
 
 Json ParametersJson(const Vehicle& vehicle) {
   Json parameters = Json::array();
-  for (const Parameter& parameter : vehicle.parameters)
+  for (const Parameter& parameter : vehicle.parameters) {
     parameters.push_back({{"name", parameter.name},
                           {"value", parameter.value},
                           {"unit", SiUnit(parameter.dimension)},
@@ -219,6 +219,9 @@ Json ParametersJson(const Vehicle& vehicle) {
                           {"precision", parameter.precision},
                           {"prior_sd", OrNull(parameter.prior_sd)},
                           {"source", parameter.source}});
+    if (parameter.like)
+      parameters.back()["like"] = {{"parameter", parameter.like->parameter}, {"sd", parameter.like->sd}};
+  }
   return parameters;
 }
 

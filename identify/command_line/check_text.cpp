@@ -375,15 +375,23 @@ std::string Range(const Parameter& parameter) {
 std::string Parameters(const Vehicle& vehicle) {
   if (vehicle.parameters.empty()) return "";
   constexpr std::size_t kWidth = 108;
-  const bool priors = std::any_of(vehicle.parameters.begin(), vehicle.parameters.end(),
-                                  [](const Parameter& parameter) { return parameter.prior_sd.has_value(); });
-  const std::vector<std::string> head = Head({"parameter", "value", "unit", "range"}, {"prior sd"}, priors);
+  const auto has = [&](auto known) {
+    return std::any_of(vehicle.parameters.begin(), vehicle.parameters.end(),
+                       [known](const Parameter& parameter) { return (parameter.*known).has_value(); });
+  };
+  const bool priors = has(&Parameter::prior_sd);
+  const bool likes = has(&Parameter::like);
+  const std::vector<std::string> head =
+      Head(Head({"parameter", "value", "unit", "range"}, {"prior sd"}, priors), {"like", "like sd"}, likes);
   std::vector<std::vector<std::string>> rows;
   std::vector<std::size_t> widths;
   for (const std::string& cell : head) widths.push_back(cell.size());
   for (const Parameter& parameter : vehicle.parameters) {
-    rows.push_back(Head({parameter.name, ShortInUnit(parameter.value, parameter), parameter.unit, Range(parameter)},
-                        {parameter.prior_sd ? ShortInUnit(*parameter.prior_sd, parameter) : "-"}, priors));
+    rows.push_back(
+        Head(Head({parameter.name, ShortInUnit(parameter.value, parameter), parameter.unit, Range(parameter)},
+                  {parameter.prior_sd ? ShortInUnit(*parameter.prior_sd, parameter) : "-"}, priors),
+             {parameter.like ? parameter.like->parameter : "-", parameter.like ? Short(parameter.like->sd, 3) : "-"},
+             likes));
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], rows.back()[i].size());
   }
   const std::size_t used = std::accumulate(widths.begin(), widths.end(), 2 * widths.size());

@@ -49,10 +49,12 @@ CondensedModel Shifted(Vehicle vehicle, int axis) {
 
 /// Vertical stiffness of tyres alone.
 Eigen::MatrixXd TyreStiffness(const Vehicle& vehicle, const std::vector<AuditedTyre>& tyres,
-                              const std::vector<double>& values, Eigen::Index n) {
+                              const std::vector<double>& values, const CondensedModel& model) {
+  const Eigen::Index n = model.mass.rows();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t t = 0; t < tyres.size(); ++t)
-    stiffness += vehicle.tyres[t].stiffness.At(values) * tyres[t].foot.transpose() * tyres[t].foot;
+    stiffness +=
+        vehicle.tyres[t].law.RateAt(values, model.preloads.tyre[t]) * tyres[t].foot.transpose() * tyres[t].foot;
   return stiffness;
 }
 
@@ -165,7 +167,7 @@ WholeCar WholeCarAt(const CondensedVehicle& vehicle, const std::vector<AuditedTy
                     const std::vector<std::pair<std::string, Eigen::VectorXd>>& motions,
                     const std::vector<double>& values) {
   const CondensedModel model = vehicle.At(values);
-  const Eigen::MatrixXd rest = model.stiffness - TyreStiffness(vehicle.vehicle(), tyres, values, vehicle.size());
+  const Eigen::MatrixXd rest = model.stiffness - TyreStiffness(vehicle.vehicle(), tyres, values, model);
   WholeCar whole;
   for (const auto& [name, motion] : motions) {
     whole.inertia.push_back(motion.transpose() * model.mass);
@@ -222,7 +224,7 @@ void AuditedVehicle::AddTyres() {
     AuditedTyre tyre{.name = vehicle_.tyres[t].name};
     const auto post = std::find_if(vehicle_.posts.begin(), vehicle_.posts.end(),
                                    [&](const Post& one) { return one.tyre == static_cast<int>(t); });
-    const double rate = vehicle_.tyres[t].stiffness.At(values);
+    const double rate = vehicle_.tyres[t].law.RateAt(values, model_.preloads.tyre[t]);
     // Without a post, or without a rate, there is no audit of forces.
     if (post == vehicle_.posts.end() || !(rate > 0)) {
       audited_.car.tyres.clear();
@@ -242,7 +244,7 @@ void AuditedVehicle::AddInertia(const Subject& subject) {
   std::vector<double> values = vehicle_.ParameterValues();
   const double ground = FootHeight(vehicle_, vehicle.LinkMotions(values), values);
   const std::vector<std::pair<std::string, Eigen::VectorXd>> motions =
-      WholeMotions(vehicle, model_, TyreStiffness(vehicle_, tyres, values, vehicle.size()), values, ground);
+      WholeMotions(vehicle, model_, TyreStiffness(vehicle_, tyres, values, model_), values, ground);
   if (motions.empty() || motions.front().first != "heave") return;
   const WholeCar here = WholeCarAt(vehicle, tyres, motions, values);
   AuditedBalance balance{.inertia = here.inertia.front(), .gravity = here.gravity.front()};

@@ -32,7 +32,7 @@ vehicles/condensed/modes vehicles/condensed/port vehicles/condensed/preload_map 
 vehicles/condensed/reduced_bytes vehicles/condensed/reduced_vehicle
 vehicles/description/element_laws
 vehicles/laws/dahl_cycle vehicles/laws/dahl_friction vehicles/laws/dashpot_law vehicles/laws/hydraulic_cycle vehicles/laws/hydraulic_damper vehicles/laws/hydraulic_oil
-vehicles/laws/monotone_curve vehicles/laws/mounted_hydraulic_damper vehicles/laws/spring_law
+vehicles/laws/monotone_curve vehicles/laws/mounted_hydraulic_damper vehicles/laws/spring_law vehicles/laws/tyre_law
 vehicles/posts/road_tracks
 vehicles/random_response/post_spectra vehicles/random_response/random_vehicle vehicles/random_response/spectral_grid
 vehicles/random_response/statistical_gain

@@ -14,6 +14,7 @@ CondensedModel WithCoordinatesAsSensors(CondensedModel model) {
   model.on_velocity = model.on_acceleration = none;
   model.on_post_height = model.on_post_velocity = model.on_post_acceleration = no_post;
   for (CondensedModel::Liftoff& liftoff : model.liftoffs) liftoff.load_cells.clear();
+  for (CondensedModel::CurvedTyre& tyre : model.curved_tyres) tyre.load_cells.clear();
   return model;
 }
 

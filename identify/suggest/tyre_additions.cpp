@@ -46,7 +46,7 @@ class TyreAdditions {
     Addition addition{.mechanism = "tyre_damping", .elements = NamesOf(group)};
     const std::vector<std::string> written = source_.WrittenOf("fp:tyre", addition.elements);
     if (written.empty()) return;
-    const double stiffness = source_.vehicle().tyres[group.front()].stiffness.At(source_.values());
+    const double stiffness = source_.vehicle().tyres[group.front()].law.RateAt(source_.values(), 0);
     addition.words = "damping of tyre " + Quoted(addition.elements);
     addition.values = [](double damping) { return std::vector{damping}; };
     addition.first = kFirst_s * stiffness;

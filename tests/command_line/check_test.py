@@ -96,6 +96,17 @@ class Check(ProgramTest):
         self.assertEqual(check["parameters"][2]["precision"], 10)
         self.assertEqual(check["bushings"], [])
 
+    def test_prints_what_is_known_of_ratios(self):
+        self.replace_in(QUARTER_CAR, '<fp:parameter name="c_rebound"',
+                        '<fp:parameter name="c_rebound" like="c_bump" like_sd="0.15"')
+        text = self.check(QUARTER_CAR).stdout
+        row = next(line for line in text.splitlines() if line.startswith("c_rebound "))
+        self.assertIn("like sd", text)
+        self.assertRegex(row, r" c_bump +0\.15 ")
+        parameters = {parameter["name"]: parameter for parameter in self.checked(QUARTER_CAR)["parameters"]}
+        self.assertEqual(parameters["c_rebound"]["like"], {"parameter": "c_bump", "sd": 0.15})
+        self.assertNotIn("like", parameters["c_bump"])
+
     def test_has_bushings_as_the_file_gives_them(self):
         """The leading arm's, with a loss factor of 0.1 at 30 Hz."""
         arm = self.checked("urdf/landrover110.urdf")["bushings"][0]

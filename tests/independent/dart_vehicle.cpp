@@ -174,8 +174,8 @@ void DartVehicle::Apply(const Tyre& tyre, double preload, const Vector3d& design
   const Vector3d shift = Foot(tyre) - design_foot - platform.height * Vector3d::UnitZ();
   const Vector3d rate = tree_.Velocity(tyre.point) - tyre.radius * UpWheelRate(axis, tree_.Spin(wheel)) -
                         platform.velocity * Vector3d::UnitZ();
-  double load = preload - tyre.stiffness.At(parameters_) * shift.z() - tyre.damping.At(parameters_) * rate.z();
-  if (tyre.lifts_off) load = std::max(load, 0.0);
+  double load = tyre.law.At(parameters_).Under(preload).Force(-shift.z()) - tyre.damping.At(parameters_) * rate.z();
+  if (tyre.lifts_off || !tyre.law.IsLinear()) load = std::max(load, 0.0);
   const Vector3d force(
       -tyre.longitudinal.At(parameters_) * shift.x() - tyre.longitudinal_damping.At(parameters_) * rate.x(),
       -tyre.lateral.At(parameters_) * shift.y() - tyre.lateral_damping.At(parameters_) * rate.y(), load);

@@ -50,6 +50,12 @@ inline void ExpectSameModel(const CondensedModel& a, const CondensedModel& b) {
     EXPECT_EQ(a.liftoffs[i].direction, b.liftoffs[i].direction);
     EXPECT_EQ(a.liftoffs[i].preload, b.liftoffs[i].preload);
   }
+  ASSERT_EQ(a.curved_tyres.size(), b.curved_tyres.size());
+  for (std::size_t i = 0; i < a.curved_tyres.size(); ++i) {
+    EXPECT_EQ(a.curved_tyres[i].direction, b.curved_tyres[i].direction);
+    EXPECT_EQ(a.curved_tyres[i].law, b.curved_tyres[i].law);
+    EXPECT_EQ(a.curved_tyres[i].damping, b.curved_tyres[i].damping);
+  }
 }
 
 }  // namespace fourpost

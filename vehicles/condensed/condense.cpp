@@ -132,7 +132,7 @@ void Condenser::AddHeld(const Kinematics& undisturbed) {
   }
   for (const Tyre& tyre : vehicle_.tyres) {
     lengths_.push_back([&](const Kinematics& pose) { return pose.FootPosition(tyre, -Eigen::Vector3d::UnitZ()); });
-    Hold(Tagged("fp:tyre", tyre.name), tyre.source_line, {.stiffness = tyre.stiffness, .cubic = {}, .knees = {}})
+    Hold(Tagged("fp:tyre", tyre.name), tyre.source_line, {.stiffness = tyre.law.stiffness, .cubic = {}, .knees = {}})
         .preload = tyre.preload;
   }
   for (const Bushing& bushing : vehicle_.bushings) {
@@ -168,7 +168,10 @@ void Condenser::AddShapes(const Kinematics& undisturbed) {
 }
 
 void Condenser::AddTyres() {
-  for (const Tyre& tyre : vehicle_.tyres) data_.tyres.push_back({.damping = tyre.damping, .lifts_off = tyre.lifts_off});
+  for (const Tyre& tyre : vehicle_.tyres) {
+    data_.tyres.push_back({.damping = tyre.damping, .curve = {}, .lifts_off = tyre.lifts_off});
+    if (!tyre.law.IsLinear()) data_.tyres.back().curve = tyre.law;
+  }
   for (std::size_t i = 0; i < vehicle_.posts.size(); ++i)
     data_.tyres[static_cast<std::size_t>(vehicle_.posts[i].tyre)].post = static_cast<int>(i);
 }

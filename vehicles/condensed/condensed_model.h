@@ -9,6 +9,7 @@
 #include "vehicles/laws/dashpot_law.h"
 #include "vehicles/laws/mounted_hydraulic_damper.h"
 #include "vehicles/laws/spring_law.h"
+#include "vehicles/laws/tyre_law.h"
 #include "vehicles/multibody/multibody.h"
 
 namespace fourpost {
@@ -72,6 +73,19 @@ struct CondensedModel {
     std::vector<int> load_cells;
   };
 
+  /// A tyre whose rate changes with its load, and which cannot pull: its vertical force law.Force(e) + damping e', e as
+  /// of Liftoff, counts only where it is positive. The matrices include its rate at rest and its damping.
+  struct CurvedTyre {
+    /// n; derivative of the deflection by s.
+    Eigen::VectorXd direction;
+    /// -1: on the ground.
+    int post = -1;
+    LoadedTyre law;
+    double damping = 0;  // N s/m
+    /// Indices of the load cells under the tyre.
+    std::vector<int> load_cells;
+  };
+
   /// n x n. `damping` excludes the dashpots; `stiffness` includes rates and the effect of preloads and gravity.
   Eigen::MatrixXd mass;
   Eigen::MatrixXd damping;
@@ -86,6 +100,7 @@ struct CondensedModel {
   std::vector<Hydraulic> hydraulics;
   std::vector<Rubbing> rubbings;
   std::vector<Liftoff> liftoffs;
+  std::vector<CurvedTyre> curved_tyres;
 
   /// sensors x n, sensors x posts.
   Eigen::MatrixXd on_position;

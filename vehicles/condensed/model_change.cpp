@@ -18,7 +18,7 @@ Eigen::MatrixXd Difference(const Eigen::MatrixXd& changed, const Eigen::MatrixXd
 }
 
 bool AreOfOneElement(const Port& a, const Port& b) {
-  return a.law.index() == b.law.index() && a.direction == b.direction && a.liftoff == b.liftoff;
+  return a.law.index() == b.law.index() && a.direction == b.direction && a.post == b.post && a.liftoff == b.liftoff;
 }
 
 }  // namespace

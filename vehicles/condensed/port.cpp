@@ -33,10 +33,23 @@ void Remainders(const LiftoffRemainder& port, Signal x, Signal v, std::span<doub
   for (std::size_t k = 0; k < x.size(); ++k) remainder[k] = std::max(0.0, -Compression(port, x[k], v[k]));
 }
 
-std::vector<double> Compressions(const LiftoffRemainder& port, Signal x, Signal v) {
+double Compression(const TyreRemainder& port, double x, double v) { return port.law.Force(x) + port.damping * v; }
+
+void Remainders(const TyreRemainder& port, Signal x, Signal v, std::span<double> remainder) {
+  for (std::size_t k = 0; k < x.size(); ++k)
+    remainder[k] =
+        std::max(0.0, Compression(port, x[k], v[k])) - port.law.load - port.stiffness * x[k] - port.damping * v[k];
+}
+
+std::vector<double> Compressions(const auto& port, Signal x, Signal v) {
   std::vector<double> compressions(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) compressions[k] = Compression(port, x[k], v[k]);
   return compressions;
+}
+
+std::vector<double> TyreForces(const PortLaw& law, Signal x, Signal v) {
+  if (const auto* tyre = std::get_if<TyreRemainder>(&law)) return Compressions(*tyre, x, v);
+  return Compressions(std::get<LiftoffRemainder>(law), x, v);
 }
 
 /// Adds what the samples next to a passage of the kink between k and the sample after miss.
@@ -71,21 +84,45 @@ double ShareOfCell(double at, double before, double from, double to, double afte
   return std::clamp(share + 0.5 * share * (1 - share) * bend / rise, 0.0, 1.0);
 }
 
-/// `jump`: of the slopes, towards larger values of the signal.
-void MendJump(double at, double jump, Signal signal, std::span<double> slopes) {
+/// `jump(k, after, share)`: of the slopes, towards larger values of the signal, a share of the way from one sample to
+/// another.
+void MendJumps(double at, const auto& jump, Signal signal, std::span<double> slopes) {
   const std::size_t count = signal.size();
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t after = k + 1 < count ? k + 1 : 0;
     if ((signal[k] > at) == (signal[after] > at)) continue;
     const double share = ShareOfCell(at, signal[k > 0 ? k - 1 : count - 1], signal[k], signal[after],
                                      signal[after + 1 < count ? after + 1 : 0]);
-    const double in_time = signal[after] > signal[k] ? jump : -jump;
+    const double towards_larger = jump(k, after, share);
+    const double in_time = signal[after] > signal[k] ? towards_larger : -towards_larger;
     const double missing = in_time * (0.5 - share);
     const double missing_of_rise = 0.5 * in_time * (share * share - share + 1.0 / 6);
     const double to_after = missing_of_rise + share * missing;
     slopes[k] += missing - to_after;
     slopes[after] += to_after;
   }
+}
+
+void MendJump(double at, double jump, Signal signal, std::span<double> slopes) {
+  MendJumps(
+      at, [jump](std::size_t, std::size_t, double) { return jump; }, signal, slopes);
+}
+
+/// Where a tyre leaves its platform or meets it.
+void MendContact(const LiftoffRemainder& tyre, Signal x, Signal v, std::span<double> by_extension,
+                 std::span<double> by_rate) {
+  const std::vector<double> compressions = Compressions(tyre, x, v);
+  MendJump(0, tyre.stiffness, compressions, by_extension);
+  MendJump(0, tyre.damping, compressions, by_rate);
+}
+void MendContact(const TyreRemainder& tyre, Signal x, Signal v, std::span<double> by_extension,
+                 std::span<double> by_rate) {
+  const std::vector<double> compressions = Compressions(tyre, x, v);
+  const auto rate = [&](std::size_t k, std::size_t after, double share) {
+    return tyre.law.Rate((1 - share) * x[k] + share * x[after]);
+  };
+  MendJumps(0, rate, compressions, by_extension);
+  MendJump(0, tyre.damping, compressions, by_rate);
 }
 
 void Remainders(const HydraulicRemainder&, Signal, Signal, std::span<double> remainder) {
@@ -104,6 +141,11 @@ Slopes SlopesOf(const SpringRemainder& port, double x, double) { return {port.la
 Slopes SlopesOf(const LiftoffRemainder& port, double x, double v) {
   if (Compression(port, x, v) >= 0) return {};
   return {-port.stiffness, -port.damping};
+}
+
+Slopes SlopesOf(const TyreRemainder& port, double x, double v) {
+  if (Compression(port, x, v) < 0) return {-port.stiffness, -port.damping};
+  return {port.law.Rate(x) - port.stiffness, 0};
 }
 
 Slopes SlopesOf(const HydraulicRemainder&, double, double) { return {kNan, kNan}; }
@@ -188,7 +230,7 @@ std::vector<PortKink> KinksOf(const PortLaw& law) {
   } else if (const auto* spring = std::get_if<SpringRemainder>(&law)) {
     for (const SpringLaw::Knee& knee : spring->law.knees)
       kinks.push_back({PortKink::Signal::kExtension, knee.at, knee.side * knee.stiffness});
-  } else if (std::holds_alternative<LiftoffRemainder>(law)) {
+  } else if (std::holds_alternative<LiftoffRemainder>(law) || std::holds_alternative<TyreRemainder>(law)) {
     kinks.push_back({PortKink::Signal::kCompression, 0, 1});
   }
   return kinks;
@@ -202,8 +244,7 @@ void MendedRemainders(const PortLaw& law, std::span<const PortKink> kinks, Signa
     switch (kink.signal) {
       case PortKink::Signal::kExtension: MendKink(kink, extension, remainder); break;
       case PortKink::Signal::kRate: MendKink(kink, rate, remainder); break;
-      case PortKink::Signal::kCompression:
-        MendKink(kink, Compressions(std::get<LiftoffRemainder>(law), extension, rate), remainder);
+      case PortKink::Signal::kCompression: MendKink(kink, TyreForces(law, extension, rate), remainder);
     }
   }
 }
@@ -249,12 +290,10 @@ void MendedSlopes(const PortLaw& law, std::span<const PortKink> kinks, Signal ex
     switch (kink.signal) {
       case PortKink::Signal::kExtension: MendJump(kink.at, kink.jump, extension, by_extension); break;
       case PortKink::Signal::kRate: MendJump(kink.at, kink.jump, rate, by_rate); break;
-      case PortKink::Signal::kCompression: {
-        const auto& tyre = std::get<LiftoffRemainder>(law);
-        const std::vector<double> compressions = Compressions(tyre, extension, rate);
-        MendJump(kink.at, kink.jump * tyre.stiffness, compressions, by_extension);
-        MendJump(kink.at, kink.jump * tyre.damping, compressions, by_rate);
-      }
+      case PortKink::Signal::kCompression:
+        if (const auto* tyre = std::get_if<TyreRemainder>(&law))
+          MendContact(*tyre, extension, rate, by_extension, by_rate);
+        else MendContact(std::get<LiftoffRemainder>(law), extension, rate, by_extension, by_rate);
     }
   }
 }
@@ -287,6 +326,11 @@ std::vector<Port> HeldPortsOf(const CondensedModel& model) {
   // Also without force: a fit starts there, and needs the derivatives.
   for (const CondensedModel::Rubbing& friction : model.rubbings)
     ports.push_back({.direction = OnMotion(model, friction.direction), .law = FrictionRemainder{friction.law}});
+  for (const CondensedModel::CurvedTyre& tyre : model.curved_tyres)
+    ports.push_back({.direction = OnMotion(model, tyre.direction),
+                     .law = TyreRemainder{tyre.law, tyre.damping, tyre.law.Rate(0)},
+                     .post = tyre.post,
+                     .load_cells = tyre.load_cells});
   return ports;
 }
 
@@ -297,7 +341,8 @@ std::vector<Port> PortsOf(const CondensedModel& model) {
     ports.push_back({.direction = OnMotion(model, tyre.direction),
                      .law = LiftoffRemainder{tyre.preload, tyre.stiffness, tyre.damping},
                      .post = tyre.post,
-                     .liftoff = static_cast<int>(i)});
+                     .liftoff = static_cast<int>(i),
+                     .load_cells = tyre.load_cells});
   }
   return ports;
 }

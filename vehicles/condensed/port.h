@@ -34,6 +34,14 @@ struct LiftoffRemainder {
 
   bool operator==(const LiftoffRemainder&) const = default;
 };
+/// All that a tyre's vertical force changes by from rest, less its linear share; it never pulls.
+struct TyreRemainder {
+  LoadedTyre law;
+  double damping = 0;    // N s/m, in the linear share
+  double stiffness = 0;  // N/m, in the linear share
+
+  bool operator==(const TyreRemainder&) const = default;
+};
 /// A hydraulic damper with its mount. It has memory: a periodic tension depends on the whole cycle of the extension,
 /// see CycleRemainders.
 struct HydraulicRemainder {
@@ -49,8 +57,8 @@ struct FrictionRemainder {
 
   bool operator==(const FrictionRemainder&) const = default;
 };
-using PortLaw =
-    std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder, FrictionRemainder>;
+using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder, FrictionRemainder,
+                             TyreRemainder>;
 
 /// Whether the nonlinear part depends on the extension.
 bool UsesExtension(const PortLaw& law);
@@ -68,7 +76,7 @@ void Remainders(const PortLaw& law, std::span<const double> extension, std::span
 
 /// A value of an element's signal at which the slope of the nonlinear part jumps.
 struct PortKink {
-  enum class Signal { kExtension, kRate, kCompression } signal = Signal::kRate;
+  enum class Signal { kExtension, kRate, kCompression } signal = Signal::kRate;  // kCompression: a tyre's force
   double at = 0;
   /// Towards larger values of the signal.
   double jump = 0;
@@ -120,16 +128,18 @@ struct Port {
   PortLaw law;
   /// -1: none.
   int post = -1;
-  /// Index in CondensedModel::liftoffs; -1: no tyre.
+  /// Index in CondensedModel::liftoffs; -1: none of these.
   int liftoff = -1;
+  /// Sensors under a tyre, which read its tension.
+  std::vector<int> load_cells = {};
   /// Index in [s x] of the extension of the spring in a hydraulic damper's linear part; -1: no hydraulic damper.
   Eigen::Index lag = -1;
 };
 
-/// All nonlinear elements; tyres that may lift off come last.
+/// All nonlinear elements; linear tyres that may lift off come last, before them those of CondensedModel::curved_tyres.
 std::vector<Port> PortsOf(const CondensedModel& model);
 
-/// The same if no tyre leaves its platform: without the tyres, whose nonlinear parts are zero then.
+/// The same if no linear tyre leaves its platform: without these, whose nonlinear parts are zero then.
 std::vector<Port> HeldPortsOf(const CondensedModel& model);
 
 }  // namespace fourpost

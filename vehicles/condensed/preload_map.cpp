@@ -1,5 +1,7 @@
 #include "vehicles/condensed/preload_map.h"
 
+#include <utility>
+
 #include <Eigen/Cholesky>
 
 #include "analysis/numerics/decompositions.h"
@@ -15,16 +17,34 @@ PreloadMap::PreloadMap(const Eigen::MatrixXd& holders)
   redundant_ = factors.NullSpace();
 }
 
-Eigen::VectorXd PreloadMap::At(const Eigen::VectorXd& force, const Eigen::VectorXd& rates) const {
+Eigen::VectorXd PreloadMap::At(const Eigen::VectorXd& force,
+                               const std::function<HolderTangents(const Eigen::VectorXd&)>& tangents) const {
+  // The error after a step of this size is about its square.
+  constexpr double kStep = 1e-9;
+  constexpr int kMostSteps = 30;
+  Eigen::VectorXd preloads = least_ * force;
+  if (IsDeterminate()) return preloads;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const HolderTangents now = tangents(preloads);
+    const Eigen::VectorXd before = std::exchange(preloads, At(force, now));
+    if (now.slack.size() == 0 || (preloads - before).norm() <= kStep * preloads.norm()) break;
+  }
+  return preloads;
+}
+
+Eigen::VectorXd PreloadMap::At(const Eigen::VectorXd& force, const HolderTangents& tangents) const {
   // A share that no load cell sees, far above rounding.
   constexpr double kOfAll = 1e-6;
   Eigen::VectorXd preloads = least_ * force;
   if (IsDeterminate()) return preloads;
+  const Eigen::VectorXd& rates = tangents.rates;
   const double most = rates.maxCoeff();
   if (!(most > 0)) return preloads;
   const Eigen::VectorXd compliances = most * rates.cwiseMax(kOfAll * most).cwiseInverse();
   const Eigen::MatrixXd weighted = compliances.asDiagonal() * redundant_;
-  preloads -= redundant_ * (redundant_.transpose() * weighted).llt().solve(weighted.transpose() * preloads);
+  Eigen::VectorXd strain = preloads;
+  if (tangents.slack.size() > 0) strain -= tangents.slack;
+  preloads -= redundant_ * (redundant_.transpose() * weighted).llt().solve(weighted.transpose() * strain);
   return preloads;
 }
 

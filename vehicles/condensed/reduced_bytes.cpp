@@ -7,7 +7,7 @@ namespace fourpost {
 namespace {
 
 /// Changes whenever the fields do.
-constexpr std::string_view kFormat = "fourpost reduced vehicle 3\n";
+constexpr std::string_view kFormat = "fourpost reduced vehicle 4\n";
 
 }  // namespace
 

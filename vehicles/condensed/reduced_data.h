@@ -55,6 +55,8 @@ struct ReducedData {
 
   struct Tyre {
     Scalar damping;
+    /// Instead of the held element's: a rate that changes with the load.
+    std::optional<TyreDescription> curve;
     bool lifts_off = false;
     /// -1: on the ground.
     int post = -1;

@@ -34,6 +34,17 @@ void EachField(MaybeConst<SpringDescription> auto& law, auto&& field) {
   field("place", law.place);
 }
 
+void EachField(MaybeConst<TyreDescription::TablePoint> auto& point, auto&& field) {
+  field("deflection", point.deflection);
+  field("force", point.force);
+}
+
+void EachField(MaybeConst<TyreDescription> auto& law, auto&& field) {
+  field("stiffness", law.stiffness);
+  field("progression", law.progression);
+  field("table", law.table);
+}
+
 void EachField(MaybeConst<DashpotDescription::Knee> auto& knee, auto&& field) {
   field("speed", knee.speed);
   field("rate", knee.rate);
@@ -130,6 +141,7 @@ void EachField(MaybeConst<ReducedData::Held> auto& held, auto&& field) {
 
 void EachField(MaybeConst<ReducedData::Tyre> auto& tyre, auto&& field) {
   field("damping", tyre.damping);
+  field("curve", tyre.curve);
   field("lifts_off", tyre.lifts_off);
   field("post", tyre.post);
 }

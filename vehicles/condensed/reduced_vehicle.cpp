@@ -49,17 +49,36 @@ Eigen::VectorXd ReducedVehicle::GivenForces(std::span<const double> parameters) 
   return force;
 }
 
-/// Of what has its preload from equilibrium, in the design pose.
-Eigen::VectorXd ReducedVehicle::HolderRates(std::span<const double> parameters) const {
-  Eigen::VectorXd rates(holders_.cols());
+/// The rate that changes with the load; nullptr: it does not.
+const TyreDescription* ReducedVehicle::CurveOf(std::size_t held) const {
+  if (held < data_.springs || held >= data_.springs + data_.tyres.size()) return nullptr;
+  const std::optional<TyreDescription>& curve = data_.tyres[held - data_.springs].curve;
+  return curve ? &*curve : nullptr;
+}
+
+/// Of what has its preload from equilibrium, in the design pose; tyres under these preloads.
+HolderTangents ReducedVehicle::TangentsAt(std::span<const double> parameters, const Eigen::VectorXd& preloads) const {
+  HolderTangents tangents{Eigen::VectorXd(holders_.cols()), {}};
   Eigen::Index next = 0;
-  for (const ReducedData::Held& element : data_.held)
-    if (!element.IsGiven()) rates[next++] = element.law.RateAt(parameters);
-  return rates;
+  for (std::size_t i = 0; i < data_.held.size(); ++i) {
+    if (data_.held[i].IsGiven()) continue;
+    const Eigen::Index k = next++;
+    const TyreDescription* curve = CurveOf(i);
+    if (!curve) {
+      tangents.rates[k] = data_.held[i].law.RateAt(parameters);
+      continue;
+    }
+    const LoadedTyre tyre = curve->At(parameters).Under(preloads[k]);
+    if (tangents.slack.size() == 0) tangents.slack.setZero(preloads.size());
+    tangents.rates[k] = tyre.Rate(0);
+    tangents.slack[k] = preloads[k] + tyre.Rate(0) * tyre.Liftoff();
+  }
+  return tangents;
 }
 
 std::vector<double> ReducedVehicle::HeldPreloads(std::span<const double> parameters) const {
-  const Eigen::VectorXd set = preload_map_.At(GivenForces(parameters), HolderRates(parameters));
+  const Eigen::VectorXd set = preload_map_.At(
+      GivenForces(parameters), [&](const Eigen::VectorXd& preloads) { return TangentsAt(parameters, preloads); });
   std::vector<double> preloads;
   Eigen::Index next = 0;
   for (const ReducedData::Held& element : data_.held)
@@ -142,14 +161,19 @@ void ReducedVehicle::AddSprings(std::span<const double> parameters, CondensedMod
 void ReducedVehicle::AddTyres(std::span<const double> parameters, CondensedModel& model) const {
   for (std::size_t i = 0; i < data_.tyres.size(); ++i) {
     const ReducedData::Tyre& tyre = data_.tyres[i];
-    const ReducedData::Held& held = data_.held[data_.springs + i];
-    const DesignShape& squeeze = held.shape;
-    const double stiffness = held.law.stiffness.At(parameters);
+    const DesignShape& squeeze = data_.held[data_.springs + i].shape;
+    const double stiffness = TyreRate(i, parameters, model.preloads);
     const double damping = tyre.damping.At(parameters);
     AddRate(stiffness, squeeze.gradient, model.stiffness);
     AddRate(damping, squeeze.gradient, model.damping);
     model.stiffness += model.preloads.tyre[i] * squeeze.curvature;
-    if (tyre.lifts_off)
+    if (tyre.curve)
+      model.curved_tyres.push_back({.direction = squeeze.gradient,
+                                    .post = tyre.post,
+                                    .law = tyre.curve->At(parameters).Under(model.preloads.tyre[i]),
+                                    .damping = damping,
+                                    .load_cells = LoadCellsUnder(i)});
+    else if (tyre.lifts_off)
       model.liftoffs.push_back({.direction = squeeze.gradient,
                                 .post = tyre.post,
                                 .preload = model.preloads.tyre[i],
@@ -160,6 +184,13 @@ void ReducedVehicle::AddTyres(std::span<const double> parameters, CondensedModel
     model.post_stiffness.col(tyre.post) = -stiffness * squeeze.gradient;
     model.post_damping.col(tyre.post) = -damping * squeeze.gradient;
   }
+}
+
+/// In the design pose [N/m].
+double ReducedVehicle::TyreRate(std::size_t tyre, std::span<const double> parameters, const Preloads& preloads) const {
+  const std::optional<TyreDescription>& curve = data_.tyres[tyre].curve;
+  if (curve) return curve->RateAt(parameters, preloads.tyre[tyre]);
+  return data_.held[data_.springs + tyre].law.stiffness.At(parameters);
 }
 
 std::vector<int> ReducedVehicle::LoadCellsUnder(std::size_t tyre) const {
@@ -209,9 +240,8 @@ void ReducedVehicle::AddLoadCells(std::span<const double> parameters, CondensedM
     const auto row = static_cast<Eigen::Index>(i);
     const auto place = static_cast<std::size_t>(sensor.tyre);
     const ReducedData::Tyre& tyre = data_.tyres[place];
-    const ReducedData::Held& held = data_.held[data_.springs + place];
-    const Eigen::VectorXd& squeeze = held.shape.gradient;
-    const double stiffness = held.law.stiffness.At(parameters);
+    const Eigen::VectorXd& squeeze = data_.held[data_.springs + place].shape.gradient;
+    const double stiffness = TyreRate(place, parameters, model.preloads);
     const double damping = tyre.damping.At(parameters);
     model.on_position.row(row) = stiffness * squeeze;
     model.on_velocity.row(row) = damping * squeeze;

@@ -18,7 +18,7 @@ namespace fourpost {
 /// costs microseconds.
 ///
 /// Preloads follow from equilibrium, see PreloadMap. If forces alone determine them, all matrices are linear in masses,
-/// inertias and rates:
+/// inertias and rates, but for those of tyres that follow the load:
 ///   mass      = sum over links of m J'J + W' I W,
 ///   stiffness = sum k b b' (b = dL/ds) + preloads times the second derivatives of their lengths
 ///               + sum m g times the second derivatives of the heights of the centres of mass.
@@ -45,12 +45,14 @@ class ReducedVehicle {
 
  private:
   void RequireAll(std::span<const double> parameters) const;
-  Eigen::VectorXd HolderRates(std::span<const double> parameters) const;
+  const TyreDescription* CurveOf(std::size_t held) const;
+  HolderTangents TangentsAt(std::span<const double> parameters, const Eigen::VectorXd& preloads) const;
   Eigen::VectorXd GivenForces(std::span<const double> parameters) const;
   /// Of all held elements.
   std::vector<double> HeldPreloads(std::span<const double> parameters) const;
   void AddSprings(std::span<const double> parameters, CondensedModel& model) const;
   void AddTyres(std::span<const double> parameters, CondensedModel& model) const;
+  double TyreRate(std::size_t tyre, std::span<const double> parameters, const Preloads& preloads) const;
   std::vector<int> LoadCellsUnder(std::size_t tyre) const;
   void AddDashpots(std::span<const double> parameters, CondensedModel& model) const;
   void AddHydraulic(const ReducedData::Damper& damper, std::span<const double> parameters, CondensedModel& model) const;

@@ -33,6 +33,7 @@ struct CurveForm {
   std::string_view what;
   /// Signs of both coordinates there.
   int sign = 1;
+  std::string_view block = "CURVE";
 };
 
 constexpr CurveForm kSpring = {.x = "extension",
@@ -44,6 +45,14 @@ constexpr CurveForm kSpring = {.x = "extension",
                                .sign = -1};
 constexpr CurveForm kDamper = {
     .x = "speed", .other_x = "velocity", .dimension = kVelocity, .x_unit = "m/s", .type = "dpr", .what = "a damper"};
+
+constexpr CurveForm kTyre = {.x = "deflection",
+                             .other_x = "deflection",
+                             .dimension = kLength,
+                             .x_unit = "mm",
+                             .type = "tir",
+                             .what = "a tyre",
+                             .block = "DEFLECTION_LOAD_CURVE"};
 
 /// The unit itself where quantities can be shown in it; else another.
 std::string ShownUnit(const std::string& written, const Unit& recorded, std::string_view other) {
@@ -189,7 +198,7 @@ std::optional<std::vector<CurvePoint>> PropertyPoints(const PropertyFile& file, 
   const std::string what = std::string(form.what) + ", type '" + std::string(form.type) + "'";
   file.CheckType(form.type, form.what);
   const std::optional<PropertyFile::Units> units = file.ReadUnits(false, what);
-  const PropertyFile::Block* block = file.Find("CURVE", what);
+  const PropertyFile::Block* block = file.Find(form.block, what);
   if (!units || !block) return std::nullopt;
   const double x_si = form.dimension == kVelocity ? units->length / units->time : units->length;
   constexpr std::array<std::string_view, 6> kLengths = {"mm", "m", "cm", "km", "in", "ft"};
@@ -352,6 +361,16 @@ std::optional<std::vector<CurvePoint>> ReadDamperCurve(const std::filesystem::pa
   // Points that drive the motion everywhere fall: one fault, not one for each.
   if (points && CheckResistance(file.string(), names, *points, found))
     OrderPoints(file.string(), names, *points, found);
+  diagnostics.Add(found);
+  if (found.HasErrors()) return std::nullopt;
+  return points;
+}
+
+std::optional<std::vector<CurvePoint>> ReadTyreCurve(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  Diagnostics found;
+  CurveNames names = {.x = "deflection", .x_unit = "mm"};
+  std::optional<std::vector<CurvePoint>> points = ReadPoints(file, kTyre, names, nullptr, found);
+  if (points) OrderPoints(file.string(), names, *points, found);
   diagnostics.Add(found);
   if (found.HasErrors()) return std::nullopt;
   return points;

@@ -32,6 +32,23 @@ SpringLaw SpringDescription::At(std::span<const double> parameters) const {
   return law;
 }
 
+TyreLaw TyreDescription::At(std::span<const double> parameters) const {
+  TyreLaw law{.stiffness = stiffness.At(parameters), .progression = progression.At(parameters)};
+  if (table.empty()) return law;
+  std::vector<double> deflections;
+  std::vector<double> forces;
+  for (const TablePoint& point : table) {
+    deflections.push_back(point.deflection.At(parameters));
+    forces.push_back(point.force.At(parameters));
+  }
+  law.curve.emplace(std::move(deflections), std::move(forces), "TyreLaw: deflection", "TyreLaw: force");
+  return law;
+}
+
+double TyreDescription::RateAt(std::span<const double> parameters, double load) const {
+  return At(parameters).Under(load).Rate(0);
+}
+
 double SpringDescription::RateAt(std::span<const double> parameters) const {
   return table.empty() ? stiffness.At(parameters) : At(parameters).Slope(0);
 }

@@ -9,6 +9,7 @@
 #include "vehicles/laws/dashpot_law.h"
 #include "vehicles/laws/hydraulic_damper.h"
 #include "vehicles/laws/spring_law.h"
+#include "vehicles/laws/tyre_law.h"
 
 namespace fourpost {
 
@@ -45,6 +46,24 @@ struct SpringDescription {
   bool IsLinear() const { return cubic.IsZero() && knees.empty() && table.empty(); }
   /// In the design pose [N/m].
   double RateAt(std::span<const double> parameters) const;
+};
+
+/// Law of a tyre in the vertical, damping excepted: stiffness and progression, or a table instead.
+struct TyreDescription {
+  struct TablePoint {
+    Scalar deflection;  // m
+    Scalar force;       // N
+  };
+  Scalar stiffness = {};
+  Scalar progression = {};
+  /// By rising deflection.
+  std::vector<TablePoint> table = {};
+
+  TyreLaw At(std::span<const double> parameters) const;
+  /// Whether its rate is the same under any load, whatever the parameters are.
+  bool IsLinear() const { return progression.IsZero() && table.empty(); }
+  /// Under a load [N/m].
+  double RateAt(std::span<const double> parameters, double load) const;
 };
 
 /// Law of a damper, hydraulic ones excepted, with the friction of its seals.

@@ -163,7 +163,14 @@ void AddTyre(const Tyre& tyre, NumberList& list) {
   const auto add = [&](const char* noun, const char* attribute, const Scalar& number) {
     list.Add(noun, "fp:tyre", attribute, number);
   };
-  add("stiffness", "stiffness", tyre.stiffness);
+  if (tyre.law.table.empty()) {
+    add("stiffness", "stiffness", tyre.law.stiffness);
+    add("progression", "progression", tyre.law.progression);
+  }
+  for (const TyreDescription::TablePoint& point : tyre.law.table) {
+    list.Add("deflection in the table", "fp:tyre/table/point", "deflection", point.deflection);
+    list.Add("force in the table", "fp:tyre/table/point", "force", point.force);
+  }
   add("damping", "damping", tyre.damping);
   add("lateral stiffness", "lateral", tyre.lateral);
   add("longitudinal stiffness", "longitudinal", tyre.longitudinal);

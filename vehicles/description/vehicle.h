@@ -169,20 +169,21 @@ struct AntiRollBar {
 
 /// A tyre between the centre of a wheel and a post's platform. It stays upright however the link pitches, and leans
 /// with it in roll: its foot is `radius` below the centre, along the wheel's plane (normal: the link's y axis).
-/// Vertical force on the wheel = preload + stiffness squeeze + damping squeeze', squeeze: approach of foot and platform
-/// from the design pose. Lateral and longitudinal springs and dampers hold the foot to its position on the platform.
+/// Vertical force on the wheel = preload + law(squeeze) + damping squeeze', squeeze: approach of foot and platform from
+/// the design pose, where the law stands at the deflection that carries the preload. Lateral and longitudinal springs
+/// and dampers hold the foot to its position on the platform.
 struct Tyre {
   std::string name;
   Point point;
   /// 0: the foot is the point itself.
   double radius = 0;
-  Scalar stiffness;
+  TyreDescription law;
   Scalar damping;
   Scalar lateral;
   Scalar longitudinal;
   Scalar lateral_damping;
   Scalar longitudinal_damping;
-  /// Whether the vertical force may not pull; forces in the plane remain, see TyreForce.
+  /// Whether the vertical force may not pull; forces in the plane remain, see TyreForce. True unless the law is linear.
   bool lifts_off = false;
   /// Vertical force in the design pose [N], pushing; empty: set by equilibrium in the design pose.
   std::optional<Scalar> preload;

@@ -42,6 +42,10 @@ inline const Finding kTableNotPlaced{
     "{} stands at the zero of its table, but carries {} at rest, which the table gives elsewhere",
     "state where on the table it stands in the design pose by at=\"...\"{}, or at=\"0 m\" if its forces count from "
     "there"};
+inline const Finding kTyreTableEnd{
+    "tyre-table-end", Severity::kWarning,
+    "{} carries {} at rest, beyond the table, which holds {} to {}: the tyre goes straight on there",
+    "measure its deflection up to twice the load at rest and from near zero, or correct the masses or the preload"};
 inline const Finding kParameterIdle{"parameter-idle", Severity::kWarning,
                                     "fp:parameter '{}' changes no motion, no static load and no sensor's reading",
                                     "remove it, or what keeps its element from moving"};

@@ -17,7 +17,7 @@ LintSubject::LintSubject(const Vehicle& described)
       links(condensed.LinkMotions(values)),
       pose(DesignKinematics(described)) {
   const Suspension suspension = SuspensionOf(vehicle, pose, values);
-  const HeldChassis held(suspension, StiffnessWithoutTyres(vehicle, pose, values, model.stiffness));
+  const HeldChassis held(suspension, StiffnessWithoutTyres(vehicle, pose, values, model));
   NameModes(vehicle, pose, suspension, held, modes);
 }
 

@@ -66,6 +66,8 @@ bool Differ(const CondensedModel& a, const CondensedModel& b, double weight) {
     if (!(a.rubbings[i].law == b.rubbings[i].law)) return true;
   for (std::size_t i = 0; i < std::min(a.stiffenings.size(), b.stiffenings.size()); ++i)
     if (Differ(a.stiffenings[i].law, b.stiffenings[i].law)) return true;
+  for (std::size_t i = 0; i < a.curved_tyres.size(); ++i)
+    if (!(a.curved_tyres[i].law == b.curved_tyres[i].law)) return true;
   return Differ(a.preloads, b.preloads, weight);
 }
 

@@ -59,6 +59,19 @@ void LintDamperTables(const DrawnVehicle& drawn, FileFaults& findings) {
   }
 }
 
+void LintTyreTables(const LintSubject& subject, FileFaults& findings) {
+  for (std::size_t i = 0; i < subject.vehicle.tyres.size(); ++i) {
+    const Tyre& tyre = subject.vehicle.tyres[i];
+    if (tyre.law.table.empty()) continue;
+    const double least = subject.At(tyre.law.table.front().force);
+    const double greatest = subject.At(tyre.law.table.back().force);
+    const double load = subject.model.preloads.tyre[i];
+    if (least <= load && load <= greatest) continue;
+    findings.Report(kTyreTableEnd, tyre.source_line,
+                    {Called("fp:tyre", tyre.name), Readable(load, "N"), Readable(least, "N"), Readable(greatest, "N")});
+  }
+}
+
 void LintSpringTables(const LintSubject& subject, FileFaults& findings) {
   // Of what it carries: a curve fits no coil better.
   constexpr double kAlike = 0.1;

@@ -27,9 +27,9 @@ constexpr std::array<DrawnLintRule, 18> kDrawnRules = {
     LintPosts,    LintSensors,      LintDamperTables,
 };
 
-constexpr std::array<LintRule, 9> kRules = {
+constexpr std::array<LintRule, 10> kRules = {
     LintOpenClosures, LintTyreLoads,    LintSpringLoads,    LintWeightOnTyres, LintFreeMotions,
-    LintRingingModes, LintBlindSensors, LintIdleParameters, LintSpringTables,
+    LintRingingModes, LintBlindSensors, LintIdleParameters, LintSpringTables,  LintTyreTables,
 };
 
 template <typename Subject, typename Rules>

@@ -75,7 +75,7 @@ FootMotion MotionOf(const TyreData& data, const Platforms& platforms, const Stat
 }
 
 double Compression(const TyreData& data, const FootMotion& motion) {
-  const double force = data.preload - data.stiffness * motion.shift.z() - data.damping * motion.shift_rate.z();
+  const double force = data.vertical.Force(-motion.shift.z()) - data.damping * motion.shift_rate.z();
   return data.lifts_off ? std::max(0.0, force) : force;
 }
 
@@ -151,10 +151,10 @@ SimTK::Real TyreForce::calcPotentialEnergy(const State& state) const {
   const Eigen::Vector3d shift = FootShift(data_, platforms_(state.getTime()), state);
   const double plane = 0.5 * (data_.longitudinal * shift.x() * shift.x() + data_.lateral * shift.y() * shift.y());
   // Where a tyre leaves its platform its energy stays at the least.
-  const bool is_lifted = data_.lifts_off && data_.preload - data_.stiffness * shift.z() < 0;
-  if (is_lifted) return data_.stiffness > 0 ? plane - 0.5 * data_.preload * data_.preload / data_.stiffness : plane;
-  const double z = shift.z();
-  return plane - data_.preload * z + 0.5 * data_.stiffness * z * z;
+  const LoadedTyre& vertical = data_.vertical;
+  const bool is_lifted = data_.lifts_off && vertical.Force(-shift.z()) < 0;
+  if (is_lifted) return vertical.Rate(0) > 0 ? plane + vertical.Energy(vertical.Liftoff()) : plane;
+  return plane + vertical.Energy(-shift.z());
 }
 
 }  // namespace fourpost

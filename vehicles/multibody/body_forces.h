@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/description/post_motion.h"
+#include "vehicles/laws/tyre_law.h"
 #include "vehicles/multibody/simbody.h"
 
 namespace fourpost {
@@ -61,13 +62,13 @@ struct TyreData {
   double radius = 0;
   /// Of the foot [m].
   Eigen::Vector3d design_place = Eigen::Vector3d::Zero();
-  double stiffness = 0;
+  /// With the preload.
+  LoadedTyre vertical = {};
   double damping = 0;
   double lateral = 0;
   double longitudinal = 0;
   double lateral_damping = 0;
   double longitudinal_damping = 0;
-  double preload = 0;
   bool lifts_off = false;
   /// Index of the post under the tyre; -1 for a platform at rest.
   int post = -1;

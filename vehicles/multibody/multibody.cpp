@@ -84,7 +84,7 @@ double Multibody::Impl::LoadCell(const SensorData& sensor, const SimTK::State& a
   const TyreData& tyre = tyres[static_cast<std::size_t>(sensor.tyre)];
   const Platforms& now = PlatformsAt(at.getTime());
   const double acceleration = tyre.post < 0 ? 0 : now[static_cast<std::size_t>(tyre.post)].acceleration;
-  return TyreForce::Compression(tyre, now, at) - tyre.preload + sensor.wheelpan * acceleration;
+  return TyreForce::Compression(tyre, now, at) - tyre.vertical.load + sensor.wheelpan * acceleration;
 }
 
 double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at, const BodyMotions& accelerations) {
@@ -165,13 +165,12 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
   }
   for (std::size_t i = 0; i < m.tyres.size(); ++i) {
     const Tyre& tyre = m.vehicle.tyres[i];
-    m.tyres[i].stiffness = tyre.stiffness.At(parameters);
+    m.tyres[i].vertical = tyre.law.At(parameters).Under(preloads.tyre[i]);
     m.tyres[i].damping = tyre.damping.At(parameters);
     m.tyres[i].lateral = tyre.lateral.At(parameters);
     m.tyres[i].longitudinal = tyre.longitudinal.At(parameters);
     m.tyres[i].lateral_damping = tyre.lateral_damping.At(parameters);
     m.tyres[i].longitudinal_damping = tyre.longitudinal_damping.At(parameters);
-    m.tyres[i].preload = preloads.tyre[i];
   }
   for (std::size_t i = 0; i < m.sensors.size(); ++i)
     m.sensors[i].wheelpan = m.vehicle.sensors[i].wheelpan.At(parameters);

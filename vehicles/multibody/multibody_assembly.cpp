@@ -110,7 +110,7 @@ void Multibody::Impl::AddTyres() {
     tyres.push_back({.body = Body(tyre.point.link),
                      .station = ToSimbody(tyre.point.xyz),
                      .radius = tyre.radius,
-                     .lifts_off = tyre.lifts_off});
+                     .lifts_off = tyre.lifts_off || !tyre.law.IsLinear()});
   for (std::size_t i = 0; i < vehicle.posts.size(); ++i)
     tyres[static_cast<std::size_t>(vehicle.posts[i].tyre)].post = static_cast<int>(i);
   for (const TyreData& tyre : tyres) SimTK::Force::Custom(forces, new TyreForce(tyre, platforms));

@@ -137,24 +137,44 @@ class Settling {
   /// Forces of the guides of which only some are given by rest, shared by rates as those of the design pose are, see
   /// PreloadMap.
   Eigen::VectorXd Shared(const Eigen::MatrixXd& directions, const RestSolver::Rest& rest) const {
-    const Eigen::VectorXd rates = HeldRates();
-    const Eigen::VectorXd forces = rest.forces.tail(directions.rows()).head(rates.size());
+    const Index count = HeldCount();
+    const Eigen::VectorXd forces = rest.forces.tail(directions.rows()).head(count);
     if (forces.size() == 0) return forces;
     const Eigen::MatrixXd holders =
-        LoopSpaceOf(multibody_.LoopJacobian()).motions.transpose() * directions.topRows(rates.size()).transpose();
-    return PreloadMap(holders).At(-(holders * forces), rates);
+        LoopSpaceOf(multibody_.LoopJacobian()).motions.transpose() * directions.topRows(count).transpose();
+    return PreloadMap(holders).At(-(holders * forces),
+                                  [this](const Eigen::VectorXd& shared) { return TangentsAt(shared); });
   }
 
-  /// One per guide.
-  Eigen::VectorXd HeldRates() const {
+  Index HeldCount() const { return TangentsAt({}).rates.size(); }
+
+  /// One per guide. `forces`: of the guides, pull of springs and minus the push of tyres; empty: none.
+  HolderTangents TangentsAt(const Eigen::VectorXd& forces) const {
     std::vector<double> rates;
+    std::vector<double> slack;
+    bool is_curved = false;
+    const auto add = [&](double rate) {
+      rates.push_back(rate);
+      slack.push_back(0);
+    };
     for (const Spring& spring : vehicle_.springs)
-      if (IsHeldByEquilibrium(spring)) rates.push_back(spring.law.At(parameters_).Slope(0));
-    for (const Tyre& tyre : vehicle_.tyres)
-      if (!tyre.preload) rates.push_back(tyre.stiffness.At(parameters_));
+      if (IsHeldByEquilibrium(spring)) add(spring.law.At(parameters_).Slope(0));
+    for (const Tyre& tyre : vehicle_.tyres) {
+      if (tyre.preload) continue;
+      const auto place = static_cast<Index>(rates.size());
+      const double load = forces.size() > 0 ? -forces[place] : 0;
+      const LoadedTyre loaded = tyre.law.At(parameters_).Under(load);
+      add(loaded.Rate(0));
+      if (tyre.law.IsLinear()) continue;
+      is_curved = true;
+      slack.back() = -(load + loaded.Rate(0) * loaded.Liftoff());
+    }
     for (const Bushing& bushing : vehicle_.bushings)
-      for (std::size_t k = 0; bushing.holds && k < 3; ++k) rates.push_back(bushing.stiffness[k].At(parameters_));
-    return Eigen::Map<const Eigen::VectorXd>(rates.data(), static_cast<Index>(rates.size()));
+      for (std::size_t k = 0; bushing.holds && k < 3; ++k) add(bushing.stiffness[k].At(parameters_));
+    const auto vector = [](const std::vector<double>& numbers) -> Eigen::VectorXd {
+      return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
+    };
+    return {vector(rates), is_curved ? vector(slack) : Eigen::VectorXd()};
   }
 
   /// Of a sum over the tyres' feet, factors of each one's x and y.
@@ -258,7 +278,7 @@ class Settling {
                                .is_held = !tyre.preload};
       strut.force = strut.is_held
                         ? -forces[next++]
-                        : preloads_.tyre[i] + tyre.stiffness.At(parameters_) * (strut.length - strut.design_length);
+                        : tyre.law.At(parameters_).Under(preloads_.tyre[i]).Force(strut.length - strut.design_length);
       settled.tyres.push_back(strut);
     }
   }

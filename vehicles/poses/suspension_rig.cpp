@@ -17,7 +17,8 @@ constexpr Index kChassisRows = 6;
 /// Whose feet the pads carry without yielding.
 Vehicle WithoutTyreRates(Vehicle vehicle) {
   for (Tyre& tyre : vehicle.tyres) {
-    tyre.stiffness = tyre.damping = tyre.lateral = tyre.longitudinal = Scalar{};
+    tyre.law = {};
+    tyre.damping = tyre.lateral = tyre.longitudinal = Scalar{};
     tyre.lateral_damping = tyre.longitudinal_damping = Scalar{};
     tyre.preload = Scalar{};
     tyre.lifts_off = false;

@@ -63,9 +63,6 @@ void RandomOptions::Validate() const {
 
 RandomVehicle::RandomVehicle(const CondensedModel& model, SpectralGrid grid)
     : grid_(std::move(grid)), ports_(PortsOf(model)), sensors_(model.on_position.rows()) {
-  for (const Port& port : ports_)
-    load_cells_.push_back(port.liftoff < 0 ? std::vector<int>{}
-                                           : model.liftoffs[static_cast<std::size_t>(port.liftoff)].load_cells);
   SolveLinearPart(model);
   SolveAtRest(model);
   FindReach();
@@ -204,7 +201,7 @@ class RandomVehicle::Iteration {
         for (Index s = 0; s < sources(); ++s) {
           const Complex force = gain * extensions(active_[a], s);
           here.col(s) -= at.col(active_[a]) * force;
-          for (const int cell : vehicle_.load_cells_[i]) here(cell, s) += force;
+          for (const int cell : vehicle_.ports_[i].load_cells) here(cell, s) += force;
         }
       }
     });
@@ -216,7 +213,7 @@ class RandomVehicle::Iteration {
     for (Index j = 0; j < ports_; ++j) {
       const auto i = static_cast<std::size_t>(j);
       response.mean_readings -= gains_[i].mean * vehicle_.at_rest_.bottomRows(vehicle_.sensors_).col(j);
-      for (const int cell : vehicle_.load_cells_[i]) response.mean_readings[cell] += gains_[i].mean;
+      for (const int cell : vehicle_.ports_[i].load_cells) response.mean_readings[cell] += gains_[i].mean;
     }
   }
 

@@ -76,8 +76,6 @@ class RandomVehicle {
 
   SpectralGrid grid_;
   std::vector<Port> ports_;
-  /// Of each port, the load cells under its tyre.
-  std::vector<std::vector<int>> load_cells_;
   Eigen::Index sensors_ = 0;
   /// (ports + sensors + dashpots) x frequencies (ports + posts): extensions and readings per unit force of a port, as a
   /// force on [s x], and per unit height of a post.

@@ -124,6 +124,55 @@ StatisticalGain Gain(const LiftoffRemainder& port, const PortMotion& motion) {
           .by_rate = -port.damping * force.off_ground};
 }
 
+/// Extensions of a tyre, in deviations, between which its mean force over the rates is smooth.
+std::vector<double> TyreBreaks(const TyreRemainder& port, const PortMotion& motion) {
+  const double liftoff = (port.law.Liftoff() - motion.mean) / motion.extension_sd;
+  const double width = port.damping * motion.rate_sd / (port.law.Rate(port.law.Liftoff()) * motion.extension_sd);
+  std::vector<double> breaks = {liftoff};
+  if (width > 0)
+    for (const double widths : {1.0, 2.0, 4.0, 8.0})
+      for (const int side : {-1, 1}) breaks.push_back(liftoff + side * widths * width);
+  if (port.law.law.curve)
+    for (const double x : port.law.law.curve->x())
+      breaks.push_back((x - port.law.place - motion.mean) / motion.extension_sd);
+  return breaks;
+}
+
+/// Of a tyre's vertical force.
+struct TyreAverage {
+  double mean = 0;
+  double square = 0;
+  double slope = 0;
+  double off_ground = 0;
+};
+
+/// Over the rates in closed form, over the extensions at these points.
+TyreAverage Average(const TyreRemainder& port, const PortMotion& motion, const NormalPoints& points) {
+  TyreAverage average;
+  for (std::size_t k = 0; k < points.z.size(); ++k) {
+    const double e = motion.mean + points.z[k] * motion.extension_sd;
+    const LiftingForce force = LiftingForceOf(port.law.Force(e), port.damping * motion.rate_sd);
+    average.mean += points.share[k] * force.mean;
+    average.square += points.share[k] * (force.deviation * force.deviation + force.mean * force.mean);
+    average.off_ground += points.share[k] * force.off_ground;
+    if (motion.extension_sd > 0) average.slope += points.share[k] * force.mean * points.z[k] / motion.extension_sd;
+    else average.slope = (1 - force.off_ground) * port.law.Rate(e);
+  }
+  return average;
+}
+
+TyreAverage AverageOf(const TyreRemainder& port, const PortMotion& motion) {
+  if (motion.extension_sd == 0) return Average(port, motion, {.z = {0}, .share = {1}});
+  return Average(port, motion, PointsBetween(TyreBreaks(port, motion)));
+}
+
+StatisticalGain Gain(const TyreRemainder& port, const PortMotion& motion) {
+  const TyreAverage average = AverageOf(port, motion);
+  return {.mean = average.mean - port.law.load - port.stiffness * motion.mean,
+          .by_extension = average.slope - port.stiffness,
+          .by_rate = -port.damping * average.off_ground};
+}
+
 StatisticalGain Gain(const HydraulicRemainder& port, const PortMotion& motion) {
   if (motion.extension_sd == 0 || motion.rate_sd == 0) return {};
   constexpr std::size_t kSamples = 128;
@@ -174,6 +223,13 @@ LiftingForce LiftingForceOf(double mean, double deviation) {
   const double square = deviation * deviation * ((z * z + 1) * on_ground + z * density);
   return {
       .mean = kept, .deviation = std::sqrt(std::max(0.0, square - kept * kept)), .off_ground = NormalShareBelow(-z)};
+}
+
+LiftingForce LiftingForceOf(const TyreRemainder& port, const PortMotion& motion) {
+  const TyreAverage average = AverageOf(port, motion);
+  return {.mean = average.mean,
+          .deviation = std::sqrt(std::max(0.0, average.square - average.mean * average.mean)),
+          .off_ground = average.off_ground};
 }
 
 StatisticalGain GainOf(const PortLaw& law, const PortMotion& motion) {

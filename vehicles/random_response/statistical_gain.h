@@ -22,7 +22,8 @@ struct StatisticalGain {
   double by_rate = 0;       // N s/m
 };
 
-/// Dashpots and springs by Gauss's rule between the kinks of the law; tyres that lift off in closed form; a hydraulic
+/// Dashpots and springs by Gauss's rule between the kinks of the law; tyres that lift off in closed form,
+/// those whose rate changes with their load by Gauss's rule over the extension; a hydraulic
 /// damper, whose force has a memory, by the first harmonic of the sine of the same deviations of extension and rate;
 /// friction that sticks, likewise, by those of sines whose amplitudes are spread as those of a narrow band. NaN for a
 /// hydraulic damper without such a cycle.
@@ -35,6 +36,9 @@ struct LiftingForce {
   double off_ground = 0;
 };
 LiftingForce LiftingForceOf(double mean, double deviation);
+
+/// The same of a tyre whose rate changes with its load.
+LiftingForce LiftingForceOf(const TyreRemainder& port, const PortMotion& motion);
 
 /// Share of a normal distribution below z deviations.
 double NormalShareBelow(double z);

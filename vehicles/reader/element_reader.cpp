@@ -187,7 +187,7 @@ class ElementReader {
     vehicle_.tyres.push_back({.name = tag.Text("name"),
                               .point = lines_.ReadPoint(tag),
                               .radius = ReadConstant(tag, "radius"),
-                              .stiffness = parameters_.ReadScalar(tag, "stiffness"),
+                              .law = laws_.ReadTyre(tag),
                               .damping = parameters_.ReadScalar(tag, "damping"),
                               .lateral = parameters_.ReadScalar(tag, "lateral"),
                               .longitudinal = parameters_.ReadScalar(tag, "longitudinal"),

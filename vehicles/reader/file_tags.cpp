@@ -31,7 +31,7 @@ class FileTags {
   FileTags(XMLElement& robot, FileFaults& faults) : robot_(robot), faults_(faults) {}
 
   std::vector<FileContent> Fill() {
-    for (const char* tag : {"fp:spring", "fp:damper"})
+    for (const char* tag : {"fp:spring", "fp:damper", "fp:tyre"})
       for (XMLElement* element : Children(robot_, tag))
         for (XMLElement* table : Children(*element, "table"))
           if (AttributeText(*table, "file")) FillTable(*element, *table);
@@ -58,9 +58,11 @@ class FileTags {
       content.lacks_place = !AttributeText(table, "at");
       content.free_length = curve->free_length;
     } else {
-      const std::optional<std::vector<CurvePoint>>& curve = Read(dampers_, path, &ReadDamperCurve);
+      const bool is_tyre = content.tag == "fp:tyre";
+      const std::optional<std::vector<CurvePoint>>& curve =
+          is_tyre ? Read(tyres_, path, &ReadTyreCurve) : Read(dampers_, path, &ReadDamperCurve);
       if (!curve || !HasRoom(table, curve->size())) return;
-      AddPoints(table, *curve, {"speed", "m/s"});
+      AddPoints(table, *curve, is_tyre ? PointNames{"deflection", "mm"} : PointNames{"speed", "m/s"});
     }
     content.xml = InnerText(table);
     contents_.push_back(std::move(content));
@@ -164,6 +166,7 @@ class FileTags {
   std::size_t made_ = 0;
   std::map<std::string, std::optional<SpringCurve>> springs_;
   std::map<std::string, std::optional<std::vector<CurvePoint>>> dampers_;
+  std::map<std::string, std::optional<std::vector<CurvePoint>>> tyres_;
   std::map<std::string, std::optional<BushingRates>> bushings_;
 };
 

@@ -277,6 +277,18 @@ inline const Finding kSpringPointOrder{
 inline const Finding kSpringTablePlace{
     "spring-table-place", Severity::kWarning, "{} lies beyond the ends of the table, where the spring goes straight on",
     "give the extension, in the table, of the spring in the design pose: negative where it is pushed together"};
+inline const Finding kTyreRateNone{"tyre-rate-none", Severity::kError, "{} has no vertical stiffness",
+                                   "add stiffness=\"200 kN/m\", above zero with a progression, or a <table>"};
+inline const Finding kTyreRateTwice{"tyre-rate-twice", Severity::kError, "{} has both {} and a <table>",
+                                    "keep one of the two: the table gives the vertical force at any load"};
+inline const Finding kTyreHeld{
+    "tyre-held", Severity::kError, "{} has liftoff=\"false\", but its stiffness changes with the load",
+    "remove liftoff=\"false\": a pull is on no load-deflection curve; or give it a constant stiffness"};
+inline const Finding kTyreTablePoints{"tyre-table-points", Severity::kError, "{} needs at least two <point>s",
+                                      "add them as <point deflection=\"...\" force=\"...\"/>"};
+inline const Finding kTyrePointOrder{
+    "tyre-point-order", Severity::kError, "the point at \"{}\" of {} does not rise above the point before it",
+    "give it more deflection and more force, over the whole range of parameters; a tyre's force never falls"};
 inline const Finding kFileMissing{"curve-file-missing", Severity::kError, "{} does not exist (no file {})",
                                   "correct the path, which starts at the folder of the vehicle file"};
 inline const Finding kFileAndPoints{"file-and-points", Severity::kError, "{} has both a file and <point>s",

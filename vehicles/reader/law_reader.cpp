@@ -80,6 +80,41 @@ SpringDescription LawReader::ReadSpringTable(const Tag& table) {
   return law;
 }
 
+TyreDescription LawReader::ReadTyre(const Tag& tyre) {
+  TyreDescription law;
+  const int errors = faults_.errors();
+  const std::optional<Tag> table = ChildOf(tyre, "table");
+  const bool has_stiffness = AttributeText(*tyre.element, "stiffness").has_value();
+  if (has_stiffness) law.stiffness = parameters_.ReadScalar(tyre, "stiffness");
+  law.progression = parameters_.ReadScalar(tyre, "progression");
+  if (table) ReadTyreTable(*table, law);
+  if (faults_.errors() > errors) return law;
+  // A progression of zero is none.
+  const char* other = has_stiffness ? "stiffness" : law.progression.IsZero() ? nullptr : "progression";
+  if (table && other) faults_.Report(kTyreRateTwice, tyre.Line(other), {Describe(*tyre.element), Quoted(other, tyre)});
+  const bool is_progressive = !table && !law.progression.IsZero();
+  if (!table && (!has_stiffness || (is_progressive && !(parameters_.Least(law.stiffness) > 0))))
+    faults_.Report(kTyreRateNone, tyre.Line("stiffness"), {Describe(*tyre.element)});
+  if (!law.IsLinear() && tyre.Text("liftoff") == "false")
+    faults_.Report(kTyreHeld, tyre.Line("liftoff"), {Describe(*tyre.element)});
+  return law;
+}
+
+void LawReader::ReadTyreTable(const Tag& table, TyreDescription& law) {
+  const Scalar scale = parameters_.ReadScalar(table, "scale");
+  const std::vector<Tag> points = TagsOf(*table.element, "fp:tyre/table/point");
+  for (const Tag& tag : points) {
+    const int before = faults_.errors();
+    const TyreDescription::TablePoint point{parameters_.ReadScalar(tag, "deflection"), ReadForce(tag, table, scale)};
+    if (faults_.errors() > before) continue;
+    if (!law.table.empty() && (!parameters_.IsBelow(law.table.back().deflection, point.deflection) ||
+                               !parameters_.IsBelow(law.table.back().force, point.force)))
+      faults_.Report(kTyrePointOrder, tag.Line(), {tag.Text("deflection"), Describe(*table.element)});
+    law.table.push_back(point);
+  }
+  if (points.size() < 2 && !HasFile(table)) faults_.Report(kTyreTablePoints, table.Line(), {Describe(*table.element)});
+}
+
 /// The force of a point times the table's scale. One of them may follow a parameter.
 Scalar LawReader::ReadForce(const Tag& point, const Tag& table, const Scalar& scale) {
   const Scalar force = parameters_.ReadScalar(point, "force");

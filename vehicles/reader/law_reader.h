@@ -23,11 +23,14 @@ class LawReader {
   /// `series`: the spring in series with the damper, unless it is hydraulic.
   std::optional<DashpotDescription::Friction> ReadFriction(const Tag& damper, const std::optional<Tag>& series);
   SpringDescription ReadSeries(const Tag& series);
+  /// Of a tyre in the vertical: its attributes, or its `<table>`.
+  TyreDescription ReadTyre(const Tag& tyre);
   HydraulicDescription ReadHydraulic(const Tag& law);
 
  private:
   void ReadKnees(const Tag& multirate, SpringDescription& law);
   SpringDescription ReadSpringTable(const Tag& table);
+  void ReadTyreTable(const Tag& table, TyreDescription& law);
   Scalar ReadForce(const Tag& point, const Tag& table, const Scalar& scale);
   void CheckPlace(const Tag& table, const SpringDescription& law);
   void ReadRates(const Tag& law, DashpotDescription& dashpot);

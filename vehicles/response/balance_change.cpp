@@ -356,9 +356,8 @@ void BalanceChange::FindReadings(double amplitude_m) {
       add(change.on_acceleration, change.on_post_acceleration, -w * w);
     }
     for (std::size_t j = 0; j < cycle_.ports().size(); ++j)
-      if (const int liftoff = cycle_.ports()[j].liftoff; liftoff >= 0)
-        for (const int sensor : model_.liftoffs[static_cast<std::size_t>(liftoff)].load_cells)
-          readings.row(sensor) += tensions_[h].row(static_cast<Eigen::Index>(j));
+      for (const int sensor : cycle_.ports()[j].load_cells)
+        readings.row(sensor) += tensions_[h].row(static_cast<Eigen::Index>(j));
   }
 }
 

@@ -205,12 +205,10 @@ Eigen::MatrixXcd LinearisedCycle::ReadingsOf(const Eigen::RowVectorXd& w, const 
   return readings;
 }
 
-void LinearisedCycle::AddLiftoffs(int h, const Eigen::MatrixXcd& remainder,
-                                  Eigen::Ref<Eigen::VectorXcd> readings) const {
+void LinearisedCycle::AddTyreForces(int h, const Eigen::MatrixXcd& remainder,
+                                    Eigen::Ref<Eigen::VectorXcd> readings) const {
   for (std::size_t j = 0; j < ports_.size(); ++j)
-    if (ports_[j].liftoff >= 0)
-      for (const int sensor : model_.liftoffs[static_cast<std::size_t>(ports_[j].liftoff)].load_cells)
-        readings[sensor] += remainder(h, static_cast<Eigen::Index>(j));
+    for (const int sensor : ports_[j].load_cells) readings[sensor] += remainder(h, static_cast<Eigen::Index>(j));
 }
 
 LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
@@ -220,7 +218,7 @@ LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
   First first;
   first.motion = unit_motion_.topRows(root_mass_.size()).lazyProduct(causes).cwiseProduct(root_mass_).norm();
   first.readings = unit_readings_.lazyProduct(causes);
-  AddLiftoffs(1, cycle().remainder(), first.readings);
+  AddTyreForces(1, cycle().remainder(), first.readings);
   return first;
 }
 
@@ -241,7 +239,7 @@ double LinearisedCycle::Change(const First& before, const First& now) const {
 SensorHarmonics LinearisedCycle::SensorsBy(const Eigen::MatrixXcd& remainder) const {
   SensorHarmonics out = ReadingsOf(Eigen::RowVector3d(0, omega_, 2 * omega_), Coordinates(2).transpose());
   out.col(1) += amplitude_ * post_readings_;
-  for (int h = 0; h <= 2; ++h) AddLiftoffs(h, remainder, out.col(h));
+  for (int h = 0; h <= 2; ++h) AddTyreForces(h, remainder, out.col(h));
   return out;
 }
 

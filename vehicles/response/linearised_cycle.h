@@ -80,8 +80,8 @@ class LinearisedCycle {
   /// Sensor readings of motions [s x] in columns, each at its frequency w; the posts' direct part is separate.
   Eigen::MatrixXcd ReadingsOf(const Eigen::RowVectorXd& w, const Eigen::MatrixXcd& coordinates) const;
   void NoteUnits();
-  /// Tyres in the air exert no force: corrects the readings of the linear vehicle for that.
-  void AddLiftoffs(int h, const Eigen::MatrixXcd& remainder, Eigen::Ref<Eigen::VectorXcd> readings) const;
+  /// Corrects the readings of the linear vehicle for the nonlinear parts of tyres' forces, on their load cells.
+  void AddTyreForces(int h, const Eigen::MatrixXcd& remainder, Eigen::Ref<Eigen::VectorXcd> readings) const;
   /// Of the first harmonic: the norm of its mass-weighted motion, and the sensor readings.
   struct First {
     double motion = 0;

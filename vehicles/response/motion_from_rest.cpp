@@ -48,6 +48,20 @@ std::map<std::string, double> LoudestOf(const FrequencyResponse& response) {
   return loudest;
 }
 
+/// That lift off, with their rates at rest: a load-deflection curve lies above its tangents, so that forces come out
+/// too low.
+std::vector<CondensedModel::Liftoff> TyresAtRest(const CondensedModel& model) {
+  std::vector<CondensedModel::Liftoff> tyres = model.liftoffs;
+  for (const CondensedModel::CurvedTyre& tyre : model.curved_tyres)
+    tyres.push_back({.direction = tyre.direction,
+                     .post = tyre.post,
+                     .preload = tyre.law.load,
+                     .stiffness = tyre.law.Rate(0),
+                     .damping = tyre.damping,
+                     .load_cells = {}});
+  return tyres;
+}
+
 }  // namespace
 
 std::vector<bool> MayHaveSeveralMotions(const CondensedModel& model, const Excitation& excitation,
@@ -56,15 +70,17 @@ std::vector<bool> MayHaveSeveralMotions(const CondensedModel& model, const Excit
   const std::size_t count = excitation.frequency_Hz.size();
   // The motion under friction that sticks forgets how it began.
   if (std::any_of(ports.begin(), ports.end(), [](const Port& port) {
-        return UsesExtension(port.law) && !std::holds_alternative<FrictionRemainder>(port.law);
+        return UsesExtension(port.law) && !std::holds_alternative<FrictionRemainder>(port.law) &&
+               !std::holds_alternative<TyreRemainder>(port.law);
       }))
     return std::vector<bool>(count, true);
   std::vector<bool> several(count, false);
-  if (model.liftoffs.empty()) return several;
-  const Eigen::MatrixXd least = LeastTyreForces(model, model.liftoffs, excitation, options);
+  const std::vector<CondensedModel::Liftoff> tyres = TyresAtRest(model);
+  if (tyres.empty()) return several;
+  const Eigen::MatrixXd least = LeastTyreForces(model, tyres, excitation, options);
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < model.liftoffs.size(); ++k)
-      if (least(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) < kNear * model.liftoffs[k].preload)
+    for (std::size_t k = 0; k < tyres.size(); ++k)
+      if (least(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) < kNear * tyres[k].preload)
         several[i] = true;
   return several;
 }

@@ -19,7 +19,7 @@ void Compare(std::complex<double> component, std::complex<double>& largest) {
 std::vector<Mode> NamedModes(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension,
                              const CondensedModel& model, std::span<const double> parameters) {
   std::vector<Mode> modes = ModesOf(model);
-  const HeldChassis held(suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
+  const HeldChassis held(suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model));
   NameModes(vehicle, pose, suspension, held, modes);
   return modes;
 }

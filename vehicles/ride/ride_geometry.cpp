@@ -72,7 +72,8 @@ std::optional<double> UnsprungMass(const Suspension& suspension, const HeldChass
 }  // namespace
 
 RideGeometry RideGeometryOf(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension,
-                            const HeldChassis& held, std::span<const double> parameters) {
+                            const HeldChassis& held, std::span<const double> tyre_loads,
+                            std::span<const double> parameters) {
   RideGeometry ride;
   std::vector<Travel> alone;
   std::vector<Travel> together;
@@ -82,7 +83,7 @@ RideGeometry RideGeometryOf(const Vehicle& vehicle, const Kinematics& pose, cons
     together.push_back(held.MoveTogether(axle));
     ride.axles.push_back(RollOf(suspension, axle, held.Roll(axle)));
     for (const std::size_t i : axle.wheels) {
-      const double tyre = vehicle.tyres[i].stiffness.At(parameters);
+      const double tyre = vehicle.tyres[i].law.RateAt(parameters, tyre_loads[i]);
       ride.wheels[i] = {tyre, RatesOf(alone[i], i, tyre), RatesOf(together.back(), i, tyre)};
     }
   }

@@ -64,8 +64,9 @@ struct RideGeometry {
   std::optional<double> unsprung_mass_kg;
 };
 
-/// `pose`: the design pose.
+/// `pose`: the design pose. `tyre_loads`: there [N].
 RideGeometry RideGeometryOf(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension,
-                            const HeldChassis& held, std::span<const double> parameters);
+                            const HeldChassis& held, std::span<const double> tyre_loads,
+                            std::span<const double> parameters);
 
 }  // namespace fourpost

@@ -40,8 +40,8 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
   for (std::size_t i = 0; i < vehicle.tyres.size(); ++i)
     summary.corner_loads.push_back({vehicle.tyres[i].name, model.preloads.tyre[i]});
   summary.spring_tension = model.preloads.spring;
-  const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
-  summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, parameters);
+  const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model));
+  summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, model.preloads.tyre, parameters);
   summary.chassis =
       ChassisNumbersOf(vehicle, pose, summary.suspension, held, summary.ride, model.preloads.tyre, whole, parameters);
   summary.modes = ModesOf(model);

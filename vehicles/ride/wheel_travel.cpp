@@ -78,11 +78,12 @@ std::optional<WheelTravel> HeldChassis::Roll(const Axle& axle) const {
 }
 
 Eigen::MatrixXd StiffnessWithoutTyres(const Vehicle& vehicle, const Kinematics& pose,
-                                      std::span<const double> parameters, const Eigen::MatrixXd& stiffness) {
-  Eigen::MatrixXd rest = stiffness;
-  for (const Tyre& tyre : vehicle.tyres) {
+                                      std::span<const double> parameters, const CondensedModel& model) {
+  Eigen::MatrixXd rest = model.stiffness;
+  for (std::size_t t = 0; t < vehicle.tyres.size(); ++t) {
+    const Tyre& tyre = vehicle.tyres[t];
     const double rates[] = {tyre.longitudinal.At(parameters), tyre.lateral.At(parameters),
-                            tyre.stiffness.At(parameters)};
+                            tyre.law.RateAt(parameters, model.preloads.tyre[t])};
     for (Eigen::Index i = 0; i < 3; ++i) {
       const Eigen::VectorXd direction = pose.FootPosition(tyre, Eigen::Vector3d::Unit(i)).gradient;
       rest -= rates[i] * direction * direction.transpose();

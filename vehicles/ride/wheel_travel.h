@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "analysis/numerics/decompositions.h"
+#include "vehicles/condensed/condensed_model.h"
 #include "vehicles/ride/suspension.h"
 
 namespace fourpost {
@@ -55,6 +56,6 @@ class HeldChassis {
 
 /// The stiffness of the reduced vehicle without the rates of its tyres; the effect of their preloads is included.
 Eigen::MatrixXd StiffnessWithoutTyres(const Vehicle& vehicle, const Kinematics& pose,
-                                      std::span<const double> parameters, const Eigen::MatrixXd& stiffness);
+                                      std::span<const double> parameters, const CondensedModel& model);
 
 }  // namespace fourpost

@@ -11,6 +11,7 @@ namespace fourpost {
 void EachField(MaybeConst<Tyre> auto& tyre, auto&& field) {
   field("name", tyre.name);
   field("lifts_off", tyre.lifts_off);
+  field("law", tyre.law);
 }
 
 void EachField(MaybeConst<Damper> auto& damper, auto&& field) {

@@ -105,6 +105,7 @@ struct SpectralRide::Answer {
   RideMetrics::Comfort ComfortAt(const RideInstruments::Felt& felt) const;
   std::vector<RideMetrics::Wheel> Wheels() const;
   RideMetrics::Wheel Lifting(RideMetrics::Wheel wheel, std::size_t liftoff) const;
+  RideMetrics::Wheel Curved(RideMetrics::Wheel wheel, std::size_t curved) const;
   std::vector<RideMetrics::Strut> Struts() const;
   std::vector<RideMetrics::Stop> Stops() const;
   RideMetrics::Body BodyAt(const RideInstruments::Chassis& at) const;
@@ -128,6 +129,7 @@ RideMetrics::Comfort SpectralRide::Answer::ComfortAt(const RideInstruments::Felt
 std::vector<RideMetrics::Wheel> SpectralRide::Answer::Wheels() const {
   std::vector<RideMetrics::Wheel> wheels;
   std::size_t liftoff = 0;
+  std::size_t curved = 0;
   for (std::size_t i = 0; i < vehicle().tyres.size(); ++i) {
     const Tyre& tyre = vehicle().tyres[i];
     const Motion force = ride.MotionOf(Reading(instruments().loads[i]));
@@ -136,7 +138,9 @@ std::vector<RideMetrics::Wheel> SpectralRide::Answer::Wheels() const {
     wheel.rms_N = force.deviation;
     wheel.least_N = wheel.mean_N - ride.PeakOf(force);
     wheel.off_ground = force.deviation > 0 ? NormalShareBelow(-wheel.mean_N / force.deviation) : 0;
-    wheels.push_back(tyre.lifts_off ? Lifting(wheel, liftoff++) : wheel);
+    if (!tyre.law.IsLinear()) wheel = Curved(wheel, curved++);
+    else if (tyre.lifts_off) wheel = Lifting(wheel, liftoff++);
+    wheels.push_back(wheel);
   }
   return wheels;
 }
@@ -153,6 +157,23 @@ RideMetrics::Wheel SpectralRide::Answer::Lifting(RideMetrics::Wheel wheel, std::
   wheel.mean_N = force.mean;
   wheel.rms_N = force.deviation;
   wheel.least_N = std::max(0.0, mean - peak * deviation);
+  wheel.off_ground = force.off_ground;
+  return wheel;
+}
+
+/// The same of a tyre whose rate changes with its load. The least force is that of the least deflection, in which a
+/// damping force counts as the deflection that makes it.
+RideMetrics::Wheel SpectralRide::Answer::Curved(RideMetrics::Wheel wheel, std::size_t curved) const {
+  const CondensedModel::CurvedTyre& tyre = model.curved_tyres[curved];
+  const std::size_t first = response.ports.size() - model.liftoffs.size() - model.curved_tyres.size();
+  const PortMotion& motion = response.ports[first + curved];
+  const double rate = tyre.law.Rate(motion.mean);
+  const double deviation = std::hypot(motion.extension_sd, tyre.damping / rate * motion.rate_sd);
+  const double peak = wheel.rms_N > 0 ? (wheel.mean_N - wheel.least_N) / wheel.rms_N : 0;
+  const LiftingForce force = LiftingForceOf(TyreRemainder{tyre.law, tyre.damping, rate}, motion);
+  wheel.mean_N = force.mean;
+  wheel.rms_N = force.deviation;
+  wheel.least_N = std::max(0.0, tyre.law.Force(motion.mean - peak * deviation));
   wheel.off_ground = force.off_ground;
   return wheel;
 }

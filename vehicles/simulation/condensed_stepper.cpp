@@ -204,9 +204,7 @@ void CondensedStepper::MakeSensorRows(const CondensedModel& model) {
   on_post_.leftCols(by_posts_.cols()) += model.on_acceleration * by_posts_.middleRows(n, n);
   sensor_on_remainder_ = model.on_acceleration * on_remainder_.middleRows(n, n);
   for (std::size_t j = 0; j < ports_.size(); ++j)
-    if (ports_[j].liftoff >= 0)
-      for (const int cell : model.liftoffs[static_cast<std::size_t>(ports_[j].liftoff)].load_cells)
-        sensor_on_remainder_(cell, static_cast<Index>(j)) += 1;
+    for (const int cell : ports_[j].load_cells) sensor_on_remainder_(cell, static_cast<Index>(j)) += 1;
 }
 
 void CondensedStepper::SetPosts(std::span<const PostState> posts) {

@@ -104,7 +104,7 @@ MotionSensitivity::MotionSensitivity(const CondensedModel& model, std::span<cons
   on_state_ = Stacked(base, &CondensedStepper::on_state_);
   sensor_on_remainder_ = Stacked(base, &CondensedStepper::sensor_on_remainder_);
   on_post_ = Stacked(base, &CondensedStepper::on_post_);
-  MakeAddedPorts(base, model, neighbours);
+  MakeAddedPorts(base, model);
   state_.setZero(base.state_.size(), count());
   remainder_.setZero(base.remainder_.size(), count());
   free_ = state_;
@@ -125,8 +125,7 @@ void MotionSensitivity::NoteFrictions(const CondensedStepper& base) {
 }
 
 /// To first order their forces act on the model as it is: on one that has them all.
-void MotionSensitivity::MakeAddedPorts(const CondensedStepper& base, const CondensedModel& model,
-                                       std::span<const CondensedModel> neighbours) {
+void MotionSensitivity::MakeAddedPorts(const CondensedStepper& base, const CondensedModel& model) {
   const Index added = std::ssize(added_);
   added_before_ = added_forces_ = Eigen::VectorXd::Zero(added);
   rate_on_added_.resize(base.remainder_.size(), added);
@@ -151,13 +150,6 @@ void MotionSensitivity::MakeAddedPorts(const CondensedStepper& base, const Conde
   rate_on_added_ = with.rate_on_remainder_(places, Eigen::seqN(held, added));
   added_rate_on_remainder_ = with.rate_on_remainder_(Eigen::seqN(held, added), places);
   sensor_on_added_ = with.sensor_on_remainder_.middleCols(held, added);
-  for (Index k = 0; k < added; ++k) {
-    const AddedPort& one = added_[static_cast<std::size_t>(k)];
-    if (one.port.liftoff < 0) continue;
-    const CondensedModel& of = neighbours[static_cast<std::size_t>(one.neighbour)];
-    for (const int cell : of.liftoffs[static_cast<std::size_t>(one.port.liftoff)].load_cells)
-      sensor_on_added_(cell, k) += 1;
-  }
 }
 
 /// As the motion of the model gives them.

@@ -53,8 +53,7 @@ class MotionSensitivity {
   void Add(const Eigen::MatrixXd& stack, const Eigen::Ref<const Eigen::VectorXd>& vector,
            Eigen::Ref<Eigen::MatrixXd> sum);
   void MakeLiftoffColumns(const CondensedStepper& base);
-  void MakeAddedPorts(const CondensedStepper& base, const CondensedModel& model,
-                      std::span<const CondensedModel> neighbours);
+  void MakeAddedPorts(const CondensedStepper& base, const CondensedModel& model);
   void FindAddedForces(const CondensedStepper& base);
   /// Adds what the added elements' forces make of themselves through these columns.
   void AddForces(const Eigen::Ref<const Eigen::MatrixXd>& columns, const Eigen::VectorXd& forces,

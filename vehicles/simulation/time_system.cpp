@@ -22,7 +22,7 @@ double LeverOfPosts(const Vehicle& vehicle) {
 double StiffestTyre(const Vehicle& vehicle) {
   const std::vector<double> values = vehicle.ParameterValues();
   double stiffness = 0;
-  for (const Tyre& tyre : vehicle.tyres) stiffness = std::max(stiffness, tyre.stiffness.At(values));
+  for (const Tyre& tyre : vehicle.tyres) stiffness = std::max(stiffness, tyre.law.RateAt(values, 0));
   return stiffness;
 }
 

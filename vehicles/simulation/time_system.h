@@ -19,7 +19,7 @@ struct RigView {
   std::size_t post_count = 0;
   /// Half the largest distance of two posts; 1 m for a lone one.
   double post_lever_m = 1;
-  /// Of the stiffest tyre [N/m].
+  /// Of the stiffest tyre, unloaded [N/m].
   double tyre_stiffness = 0;
   std::size_t actuator_count = 0;
 };

@@ -58,6 +58,14 @@ AttributeRule StickingStiffness() {
   return rule;
 }
 
+/// A tyre with a table has none.
+AttributeRule TyreStiffness() {
+  AttributeRule rule =
+      Usual("20 kN/m", "2 MN/m", Stiffness("vertical force per deflection, with a progression of an unloaded tyre"));
+  rule.required = false;
+  return rule;
+}
+
 AttributeRule Rate(std::string_view name, std::string_view doc, std::string_view least = "10 N*s/m") {
   return Usual(least, "100 kN*s/m", Measure(name, kDamping, Sign::kNotNegative, doc));
 }
@@ -153,7 +161,9 @@ std::vector<TagRule> MakeParameterTags() {
                        .required = false,
                        .fallback = "0 0 0",
                        .doc = "orientation in link axes, roll pitch yaw in rad, used by elements that need axes"},
-                      Shift("dx"), Shift("dy"), Shift("dz")}},
+                      Shift("dx"),
+                      Shift("dy"),
+                      Shift("dz")}},
   };
 }
 
@@ -459,12 +469,19 @@ std::vector<TagRule> MakeTyreTags() {
        .doc = "A tyre on the platform under it. It stays upright however the link pitches, and leans with it in roll "
               "and yaw: its foot lies `radius` below the point `xyz`, in the plane across the link's y axis. Vertical "
               "force on the wheel = preload + stiffness s + damping s', s: how much nearer foot and platform are than "
-              "in the design pose.",
+              "in the design pose. With a progression or a `<table>` the stiffness rises with the load: force = F(d + "
+              "s) + damping s', d: deflection under the preload, F(d) = stiffness d (1 + progression d) or the curve "
+              "of the table.",
        .attributes =
            {kNameRule,
             kLinkRule,
             {.name = "xyz", .kind = Kind::kVector, .doc = "centre of the wheel in link axes, in m"},
-            Usual("20 kN/m", "2 MN/m", Stiffness("vertical force per deflection")),
+            TyreStiffness(),
+            Usual("0.1 1/m", "50 1/m",
+                  Measure("progression", kPerLength, Sign::kNotNegative,
+                          "growth of force over deflection per deflection: the rate under a load F is "
+                          "sqrt(stiffness^2 + 4 stiffness progression F)",
+                          "0 1/m")),
             Usual("", "20 kN*s/m",
                   Measure("damping", kDamping, Sign::kNotNegative, "vertical force per speed", "0 N*s/m")),
             Preload("compression force in the design pose; `equilibrium`: whatever holds it at rest"),
@@ -490,8 +507,23 @@ std::vector<TagRule> MakeTyreTags() {
              .fallback = "true",
              .doc =
                  "`true`: the vertical force never pulls, while lateral and longitudinal ones stay as they are, on a "
-                 "lifted tyre too; `false`: it may, as in a linear model, and commands warn where it does",
+                 "lifted tyre too; `false`: it may, as in a linear model, and commands warn where it does; not with a "
+                 "progression or a table",
              .choices = {"true", "false"}}}},
+      {.path = "fp:tyre/table",
+       .occurs = Occurs::kAtMostOnce,
+       .doc =
+           "A measured load-deflection curve: a monotone cubic (Fritsch and Carlson) through its points, straight on "
+           "beyond the ends. It replaces the attribute `stiffness`.",
+       .attributes = {File("a file with the points, instead of `<point>`: a table with columns deflection and force, "
+                           "or an Adams tyre property file (.tir) with the block [DEFLECTION_LOAD_CURVE]"),
+                      Scale()}},
+      {.path = "fp:tyre/table/point",
+       .doc = "A point of the curve, in the order of rising deflection and force.",
+       .attributes = {Usual("", "300 mm",
+                            Measure("deflection", kLength, Sign::kAny,
+                                    "how far foot and centre have come nearer; its zero does not matter")),
+                      Usual("", "200 kN", Measure("force", kForce, Sign::kNotNegative, "vertical force"))}},
       {.path = "fp:post",
        .doc =
            "A hydraulic post that drives the platform under a tyre; one a tyre at most. A study moves posts by their "

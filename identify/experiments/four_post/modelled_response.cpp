@@ -104,7 +104,8 @@ PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector
   balance.deadline = deadline;
   PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, excitation, balance);
   // A wheel that hops has a motion, though no few harmonics show it.
-  if (integrates && !model.liftoffs.empty() && !periodic.unconverged_Hz.empty())
+  const bool may_hop = !model.liftoffs.empty() || !model.curved_tyres.empty();
+  if (integrates && may_hop && !periodic.unconverged_Hz.empty())
     IntegrateUnconverged(model, sensors, excitation, deadline, periodic);
   return periodic;
 }

@@ -79,6 +79,9 @@ inline const Finding kKinematicChannelMissing{"kinematics-channel-missing", Seve
 inline const Finding kKinematicWheelOpen{"kinematics-wheel-open", Severity::kError,
                                          "column '{}' does not say of which {} it is",
                                          "map it by 'channels', as {}_left: {}"};
+inline const Finding kKinematicWheelEmpty{"kinematics-wheel-empty", Severity::kError,
+                                          "'{}' has a number, but the row names no wheel",
+                                          "write the wheel, or leave the number out"};
 inline const Finding kKinematicNumber{"kinematics-number", Severity::kError, "'{}' is '{}', which is no number",
                                       "correct it, or leave the field empty"};
 inline const Finding kKinematicRowsMissing{"kinematics-rows-missing", Severity::kError,

@@ -175,6 +175,10 @@ class SweepReader {
   /// False for a column of another axle's wheel, and after a fault.
   bool FindWheel(std::size_t row, const QuantityColumn& read, const KinematicSweep& sweep, KinematicCurve& curve) {
     const std::string wheel = !read.of.empty() ? read.of : TextAt(row, columns_.wheel());
+    if (wheel.empty() && columns_.wheel() && !axles_.HaveOneWheel()) {
+      RowFault(kKinematicWheelEmpty, row, {table_.names()[read.column.index]});
+      return false;
+    }
     const std::optional<std::size_t> found =
         wheel.empty() ? std::optional<std::size_t>(0) : axles_.WheelNamed(wheel, sweep.axle);
     if (!found && read.of.empty()) RowFault(kKinematicWheelUnknown, row, {sweep.axle_name, wheel, ""});

@@ -99,6 +99,17 @@ TEST(Quantity, HasANumberAndAUnit) {
 
 TEST(Quantity, NeedsNoBlankBeforeItsUnit) { EXPECT_EQ(ParseQuantity("32N/mm")->si, 32000); }
 
+TEST(Quantity, MayBePerUnit) {
+  for (const char* text : {"3/m", "3 /m", "3 1/m"}) {
+    const std::optional<Quantity> quantity = ParseQuantity(text);
+    ASSERT_TRUE(quantity) << text;
+    EXPECT_EQ(quantity->si, 3);
+    EXPECT_EQ(quantity->unit.dimension, kPerLength);
+    EXPECT_EQ(quantity->unit_text, "1/m");
+  }
+  EXPECT_FALSE(ParseQuantity("3/"));
+}
+
 TEST(Quantity, IsAPureNumberWithoutAUnit) {
   const std::optional<Quantity> quantity = ParseQuantity("-0.3");
   ASSERT_TRUE(quantity);

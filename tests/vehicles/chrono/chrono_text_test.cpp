@@ -243,7 +243,7 @@ TEST_F(ChronoText, TakesTheRateOfALoadIndex) {
   Change("car/tyre.json", "\"Vertical Stiffness\": 200000", "\"Rim Radius\": 0.2, \"Load Index\": 91");
   const Vehicle vehicle = Read(Text());
   // 91 stands for 615 kg; the formula is within 2 % of the table.
-  EXPECT_NEAR(vehicle.tyres[0].stiffness.At(vehicle.ParameterValues()), 615 * 9.81 / (0.16 * 0.12), 0.02 * 315e3);
+  EXPECT_NEAR(vehicle.tyres[0].law.stiffness.At(vehicle.ParameterValues()), 615 * 9.81 / (0.16 * 0.12), 0.02 * 315e3);
 }
 
 TEST_F(ChronoText, ReportsAllFaultsOfAllFiles) {

@@ -7,6 +7,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "tests/findings.h"
+#include "tests/vehicles/curved_tyres.h"
 #include "tests/vehicles/resting.h"
 #include "tests/vehicles/same_model.h"
 #include "tests/vehicles/shipped_vehicle.h"
@@ -52,6 +53,36 @@ void ExpectMultibodysStateMatrix(const Vehicle& vehicle) {
 }
 
 TEST(CondensedVehicle, HasTheStateMatrixOfTheMultibody) { ExpectMultibodysStateMatrix(SmoothCar()); }
+
+TEST(CondensedVehicle, HasTheStateMatrixOfTheMultibodyOnTyreCurves) {
+  Vehicle vehicle = SmoothCar();
+  MakeProgressive(vehicle, 8);
+  ExpectMultibodysStateMatrix(vehicle);
+  vehicle = SmoothCar();
+  MeasureTyres(vehicle);
+  ExpectMultibodysStateMatrix(vehicle);
+}
+
+// A linear tyre of the rate load / deflection stores another energy, but its least is at the same preloads: there the
+// deflections are the same.
+TEST(CondensedVehicle, SharesTheWeightByTheEnergyOfTyreCurves) {
+  Vehicle vehicle = ShippedVehicle("landrover110_model3");
+  Set(vehicle, "y_body", 0.05);
+  Set(vehicle, "y_front", -0.03);
+  Set(vehicle, "k_FL", 30e3);
+  MakeProgressive(vehicle, 20, 0.4);
+  const std::vector<double> values = vehicle.ParameterValues();
+  const std::vector<double> loads = CondensedVehicle(vehicle).PreloadsAt(values).tyre;
+  Vehicle secant = vehicle;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const TyreLaw law = vehicle.tyres[i].law.At(values);
+    secant.tyres[i].law = {.stiffness = {loads[i] / law.Deflection(loads[i])}};
+    // Else the test tells nothing.
+    EXPECT_GT(law.Under(loads[i]).Rate(0), 1.2 * loads[i] / law.Deflection(loads[i]));
+  }
+  const std::vector<double> expected = CondensedVehicle(secant).PreloadsAt(values).tyre;
+  for (std::size_t i = 0; i < loads.size(); ++i) EXPECT_NEAR(loads[i], expected[i], 1e-8 * loads[i]);  // rounding
+}
 
 TEST(CondensedVehicle, HasTheStateMatrixOfTheMultibodyWithASeriesDamper) {
   Vehicle vehicle = SmoothCar();

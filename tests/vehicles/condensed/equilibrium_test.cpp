@@ -307,7 +307,7 @@ TEST(Equilibrium, TransfersLoadBetweenAxlesByRollStiffness) {
   const auto roll_compliance = [&](std::size_t left, double coil) {
     const double seat = vehicle.springs[left].line.child.xyz.y();
     const double track = vehicle.tyres[left].point.xyz.y();
-    const double tyre = vehicle.tyres[left].stiffness.At(vehicle.ParameterValues());
+    const double tyre = vehicle.tyres[left].law.stiffness.At(vehicle.ParameterValues());
     return 1 / (2 * coil * seat * seat) + 1 / (2 * tyre * track * track);
   };
   const double front = aside[0] - middle[0];

@@ -1,5 +1,7 @@
 #include "vehicles/condensed/preload_map.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace fourpost::preload_map_test {
@@ -48,6 +50,30 @@ TEST(PreloadMap, HasTheLeastStrainEnergy) {
   const Eigen::Vector4d twist(1, -1, -1, 1);
   ASSERT_EQ((holders * twist).norm(), 0);
   for (const double step : {-1.0, 1.0}) EXPECT_LT(energy(preloads), energy(preloads + step * twist));
+}
+
+// Lengths that grow with the root of the force: l = (sqrt(1 + 4 q p / k) - 1) / (2 q). With the rates p / l the linear
+// map finds the same preloads.
+TEST(PreloadMap, FollowsRatesThatFollowThePreloads) {
+  constexpr double q = 10;
+  const Eigen::MatrixXd holders = FourCorners();
+  const Eigen::Vector4d rates(60e3, 95e3, 110e3, 150e3);
+  const Eigen::Vector3d force(-16000, 900, -800);
+  const PreloadMap map(holders);
+  const auto root = [&](const Eigen::VectorXd& p, Eigen::Index i) { return std::sqrt(1 + 4 * q * p[i] / rates[i]); };
+  const Eigen::VectorXd preloads = map.At(force, [&](const Eigen::VectorXd& p) {
+    HolderTangents now{Eigen::VectorXd(4), Eigen::VectorXd(4)};
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      now.rates[i] = rates[i] * root(p, i);
+      now.slack[i] = p[i] - now.rates[i] * (root(p, i) - 1) / (2 * q);
+    }
+    return now;
+  });
+  EXPECT_LT((holders * preloads + force).norm(), 1e-10);  // rounding of 16 kN
+  Eigen::Vector4d secants;
+  for (Eigen::Index i = 0; i < 4; ++i) secants[i] = preloads[i] * 2 * q / (root(preloads, i) - 1);
+  EXPECT_LT((map.At(force, secants) - preloads).norm(), 1e-9);
+  EXPECT_GT((map.At(force, rates) - preloads).norm(), 10);
 }
 
 TEST(PreloadMap, OfADeterminateBodyDoesNotAskRates) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/vehicles/curved_tyres.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
@@ -71,6 +72,14 @@ void ExpectSameBits(const CondensedModel& a, const CondensedModel& b) {
     EXPECT_EQ(a.liftoffs[i].damping, b.liftoffs[i].damping);
     EXPECT_EQ(a.liftoffs[i].load_cells, b.liftoffs[i].load_cells);
   }
+  ASSERT_EQ(a.curved_tyres.size(), b.curved_tyres.size());
+  for (std::size_t i = 0; i < a.curved_tyres.size(); ++i) {
+    EXPECT_TRUE(HaveSameBits(a.curved_tyres[i].direction, b.curved_tyres[i].direction));
+    EXPECT_EQ(a.curved_tyres[i].post, b.curved_tyres[i].post);
+    EXPECT_EQ(a.curved_tyres[i].law, b.curved_tyres[i].law);
+    EXPECT_EQ(a.curved_tyres[i].damping, b.curved_tyres[i].damping);
+    EXPECT_EQ(a.curved_tyres[i].load_cells, b.curved_tyres[i].load_cells);
+  }
 }
 
 std::vector<double> DrawnValues(const std::vector<Parameter>& parameters, std::mt19937_64& random) {
@@ -102,6 +111,19 @@ TEST(ReducedBytes, VehicleReadBackHasTheSameModelToTheLastBit) {
     ++compared;
   }
   EXPECT_GE(compared, 15);
+}
+
+TEST(ReducedBytes, VehicleOnTyreCurvesIsReadBack) {
+  for (const bool is_measured : {false, true}) {
+    Vehicle vehicle = ShippedVehicle("landrover110_model3");
+    if (is_measured) MeasureTyres(vehicle);
+    else MakeProgressive(vehicle, 5);
+    const CondensedVehicle condensed(vehicle);
+    const ReducedVehicle back(ReducedDataOf(BytesOf(condensed.reduced().data())));
+    const CondensedModel model = back.At(vehicle.ParameterValues());
+    EXPECT_EQ(model.curved_tyres.size(), vehicle.tyres.size());
+    ExpectSameBits(condensed.At(vehicle.ParameterValues()), model);
+  }
 }
 
 // Its last matrices have columns and no rows.

@@ -47,6 +47,9 @@ class CurveFile : public testing::Test {
   std::optional<std::vector<CurvePoint>> Damper(const std::string& text) {
     return ReadDamperCurve(folder_.Write("curve", text), found_);
   }
+  std::optional<std::vector<CurvePoint>> Tyre(const std::string& text) {
+    return ReadTyreCurve(folder_.Write("curve", text), found_);
+  }
   std::optional<BushingRates> Bushing(const std::string& text) {
     return ReadBushingRates(folder_.Write("curve", text), found_);
   }
@@ -90,6 +93,21 @@ TEST_F(CurveFile, ReadsAPropertyFileOfADamper) {
   ASSERT_TRUE(curve) << found_.Format();
   EXPECT_THAT(*curve, ElementsAre(IsPoint(-0.5, -800), IsPoint(-0.1, -300), IsPoint(0, 0), IsPoint(0.1, 700),
                                   IsPoint(0.5, 2400)));
+}
+
+TEST_F(CurveFile, ReadsThePropertyFileAndTheTableOfATyre) {
+  const auto points = testing::ElementsAre(IsPoint(0, 0), IsPoint(0.01, 1900), IsPoint(0.03, 6300));
+  const std::optional<std::vector<CurvePoint>> file = Tyre(kTyreFile);
+  ASSERT_TRUE(file) << found_.Format();
+  EXPECT_THAT(*file, points);
+  const std::optional<std::vector<CurvePoint>> table = Tyre("force [kN],deflection [mm]\n0,0\n1.9,10\n6.3,30\n");
+  ASSERT_TRUE(table) << found_.Format();
+  EXPECT_THAT(*table, points);
+}
+
+TEST_F(CurveFile, RefusesTyresThatSoftenToNothing) {
+  EXPECT_FALSE(Tyre("force [kN],deflection [mm]\n0,0\n1.9,10\n1.8,30\n"));
+  EXPECT_THAT(found_, Reports(kCurveOrder, 4, {"30 mm, 1.8 kN", "10 mm, 1.9 kN"}));
 }
 
 TEST_F(CurveFile, HonoursTheUnitsOfAPropertyFile) {

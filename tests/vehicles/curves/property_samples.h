@@ -35,6 +35,26 @@ $--------------------------------------------------------------------------CURVE
     120.0       4200.0
 )";
 
+/// A tyre of some 200 kN/m that stiffens.
+inline const std::string kTyreFile = R"($ A tyre, of which this takes the load-deflection curve.
+[MDI_HEADER]
+ FILE_TYPE  =  'tir'
+ FILE_VERSION  =  3.0
+[UNITS]
+ LENGTH  =  'meter'
+ FORCE  =  'newton'
+ ANGLE  =  'radians'
+ MASS  =  'kg'
+ TIME  =  'second'
+[VERTICAL]
+ VERTICAL_STIFFNESS  =  2.1e5
+[DEFLECTION_LOAD_CURVE]
+{pen  fz}
+ 0.000  0.0
+ 0.010  1900.0
+ 0.030  6300.0
+)";
+
 /// Rebound pulls with 2400 N at 0.5 m/s, bump pushes with 800 N.
 inline const std::string kDamperFile = R"([MDI_HEADER]
  FILE_TYPE     =  'dpr'

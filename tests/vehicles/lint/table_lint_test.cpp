@@ -33,6 +33,21 @@ TEST_F(VehicleLintTest, AsksForNoPlaceWhereTheTableHasTheLoadAtItsZero) {
       R"(<table><point extension="-50 mm" force="-4 kN"/><point extension="50 mm" force="-900 N"/></table>)"));
 }
 
+// (250 + 40) kg x 9.80665 m/s^2 on each tyre: 2.84 kN.
+TEST_F(VehicleLintTest, TellsOfTyresWhoseCurveDoesNotReachTheirLoad) {
+  const auto on_table = [](const std::string& end) {
+    return Replaced(kAxle,
+                    R"(<fp:tyre name="tyre_left" link="wheel_left" xyz="0 0 0" radius="0.3 m" stiffness="200 kN/m"/>)",
+                    R"(<fp:tyre name="tyre_left" link="wheel_left" xyz="0 0 0" radius="0.3 m"><table>
+<point deflection="0 mm" force="0 N"/><point deflection="14 mm" force=")" +
+                        end + R"("/></table></fp:tyre>)");
+  };
+  const std::string text = on_table("2.8 kN");
+  Look(text);
+  ExpectWarning(text, R"(<fp:tyre name="tyre_left")", kTyreTableEnd, {"fp:tyre 'tyre_left'", "2.84 kN", "2.8 kN"});
+  Look(on_table("2.9 kN"));
+}
+
 TEST_F(VehicleLintTest, TellsOfDampersWithAForceAtRest) {
   const std::string text = Replaced(
       kAxle, kRates, R"(<table><point speed="-0.1 m/s" force="-50 N"/><point speed="0.1 m/s" force="150 N"/></table>)");

@@ -155,13 +155,12 @@ class TyreForceTest : public testing::Test {
     data_.body = checker_.body(0);
     data_.station = {0.2, 0.1, 0.1};
     data_.radius = 0.35;
-    data_.stiffness = 200e3;
+    data_.vertical = TyreLaw{.stiffness = 200e3}.Under(5000);
     data_.damping = 300;
     data_.lateral = 120e3;
     data_.longitudinal = 20e3;
     data_.lateral_damping = 700;
     data_.longitudinal_damping = 90;
-    data_.preload = 5000;
     data_.post = 0;
     checker_.Add(new TyreForce(data_, platforms_));
     checker_.Rest();
@@ -181,7 +180,27 @@ class TyreForceTest : public testing::Test {
     for (int i = 0; i < 3; ++i) rate[i] = checker_.Rate([&](const State& s) { return Shift(s)[i]; });
     return rate;
   }
-  double SpringForce(const State& state) const { return data_.preload - data_.stiffness * Shift(state).z(); }
+  double SpringForce(const State& state) const { return data_.vertical.Force(-Shift(state).z()); }
+
+  /// Power on wheel and platform = - energy' - dissipation.
+  void ExpectBalancedPower(bool lifts) {
+    int lifted = 0;
+    for (int draw = 0; draw < 10 * kDraws; ++draw) {
+      checker_.Draw();
+      const State& state = checker_.state();
+      const double spring = lifts ? std::max(0.0, SpringForce(state)) : SpringForce(state);
+      const Vector3d rate = ShiftRate();
+      const double push = TyreForce::Compression(data_, platforms_(0), state);
+      const double dissipation = (spring - push) * rate.z() + 90 * rate.x() * rate.x() + 700 * rate.y() * rate.y();
+      const double power = checker_.Sum().power - push * Platform(0).velocity;
+      const double energy_rate = checker_.Rate([&](const State& s) { return checker_.Energy(s); });
+      EXPECT_NEAR(power, -energy_rate - dissipation, 1e-8 * (std::abs(power) + std::abs(dissipation)));
+      EXPECT_GE(dissipation, 0);
+      EXPECT_TRUE(!lifts || push >= 0);
+      lifted += push == 0;
+    }
+    EXPECT_EQ(lifted > 0, lifts);
+  }
 
   static PostState Platform(double t) { return {.height = 0.004 + 0.2 * t, .velocity = 0.2}; }
 
@@ -207,27 +226,15 @@ TEST_F(TyreForceTest, PushesWithStiffnessDampingAndPreloadAndHoldsItsFoot) {
   }
 }
 
-/// Power on wheel and platform = - energy' - dissipation, whether the tyre may lift or not.
+// Whether the tyre may lift or not, its rate constant or not.
 TEST_F(TyreForceTest, BalancesThePowerOfWheelAndPlatform) {
-  for (const bool lifts : {false, true}) {
-    data_.lifts_off = lifts;
-    int lifted = 0;
-    for (int draw = 0; draw < 10 * kDraws; ++draw) {
-      checker_.Draw();
-      const State& state = checker_.state();
-      const double spring = lifts ? std::max(0.0, SpringForce(state)) : SpringForce(state);
-      const Vector3d rate = ShiftRate();
-      const double push = TyreForce::Compression(data_, platforms_(0), state);
-      const double dissipation = (spring - push) * rate.z() + 90 * rate.x() * rate.x() + 700 * rate.y() * rate.y();
-      const double power = checker_.Sum().power - push * Platform(0).velocity;
-      const double energy_rate = checker_.Rate([&](const State& s) { return checker_.Energy(s); });
-      EXPECT_NEAR(power, -energy_rate - dissipation, 1e-8 * (std::abs(power) + std::abs(dissipation)));
-      EXPECT_GE(dissipation, 0);
-      EXPECT_TRUE(!lifts || push >= 0);
-      lifted += push == 0;
+  const LoadedTyre linear = data_.vertical;
+  for (const bool lifts : {false, true})
+    for (const LoadedTyre& vertical : {linear, TyreLaw{.stiffness = 150e3, .progression = 5}.Under(5000)}) {
+      data_.lifts_off = lifts;
+      data_.vertical = vertical;
+      ExpectBalancedPower(lifts);
     }
-    EXPECT_EQ(lifted > 0, lifts);
-  }
 }
 
 TEST_F(TyreForceTest, StaysUprightHoweverItsLinkPitches) {
@@ -290,7 +297,8 @@ TEST_F(TyreForceTest, HoldsItsFootInThePlaneThoughLifted) {
 
 TEST_F(TyreForceTest, WithoutStiffnessPushesWithItsPreloadAtAnyHeight) {
   data_.lifts_off = true;
-  data_.stiffness = data_.damping = 0;
+  data_.vertical = TyreLaw().Under(5000);
+  data_.damping = 0;
   for (int draw = 0; draw < kDraws; ++draw) {
     checker_.Draw();
     EXPECT_EQ(checker_.Sum().force[2], 5000);

@@ -27,7 +27,8 @@ using Eigen::VectorXd;
 Vehicle FreeCar() {
   Vehicle car = ElementCar();
   for (Tyre& tyre : car.tyres) {
-    tyre.stiffness = tyre.lateral = tyre.longitudinal = {};
+    tyre.law = {};
+    tyre.lateral = tyre.longitudinal = {};
     tyre.damping = tyre.lateral_damping = tyre.longitudinal_damping = {};
   }
   for (Damper& damper : car.dampers) {

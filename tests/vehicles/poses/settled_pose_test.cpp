@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/vehicles/curved_tyres.h"
 #include "tests/vehicles/element_car.h"
 #include "tests/vehicles/ride_vehicles.h"
 #include "tests/vehicles/shipped_vehicle.h"
@@ -55,6 +56,22 @@ TEST(SettledPose, OfATrailingArmInClosedForm) {
   const double holding = -(330 * 0.5 - 30 * 0.4) * kGravity / 0.25;
   EXPECT_NEAR(pose.springs[0].holding_force.value(), holding, 1e-6);
   EXPECT_NEAR(pose.springs[0].holding_length.value(), 0.3 - holding / 80e3, kClosed);
+}
+
+// Drawn under 1.5 kN, a tyre under the whole weight has sunk from there by what its curve says.
+TEST(SettledPose, OnATyreCurveIsTheDeflectionUnderTheLoad) {
+  for (const bool is_measured : {false, true}) {
+    Vehicle vehicle = ShippedVehicle("quarter_car");
+    if (is_measured) MeasureTyres(vehicle);
+    else MakeProgressive(vehicle, 20, 0.6);
+    vehicle.tyres[0].preload = Scalar{.value = 1500};
+    const TyreLaw law = vehicle.tyres[0].law.At(vehicle.ParameterValues());
+    const SettledPose pose = Settled(vehicle);
+    const double sunk = law.Deflection(222 * kGravity) - law.Deflection(1500);
+    EXPECT_GT(sunk, 2e-3);
+    EXPECT_NEAR(pose.tyres.at(0).length - pose.tyres[0].design_length, sunk, kClosed);
+    EXPECT_NEAR(pose.tyres[0].force, 222 * kGravity, 1e-3);  // 1e-9 m times its rate
+  }
 }
 
 TEST(SettledPose, StaysWhereTheDesignPoseIsAtRest) {

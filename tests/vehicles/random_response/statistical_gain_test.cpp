@@ -124,5 +124,53 @@ TEST(StatisticalGain, LiftingForceHasTheMomentsOfItsDistribution) {
   EXPECT_EQ(LiftingForceOf(-100, 0).off_ground, 1);
 }
 
+// Numbers of a tyre under 3 kN, whose motion takes it off the ground now and then.
+TEST(StatisticalGain, OfATyreOnItsCurveIsTheAverage) {
+  const LoadedTyre law = TyreLaw{.stiffness = 150e3, .progression = 5}.Under(3000);
+  const PortMotion motion{.mean = -0.001, .extension_sd = 0.008, .rate_sd = 0.4};
+  for (const double damping : {0.0, 500.0}) {
+    const TyreRemainder tyre{law, damping, law.Rate(0)};
+    // Over the rates first, whose steps leave 1e-8 of the force; then a sum over 4000 extensions, kinked without
+    // damping.
+    const auto over_rates = [&](double e) { return LiftingForceOf(law.Force(e), damping * motion.rate_sd); };
+    double mean = 0;
+    double square = 0;
+    double slope = 0;
+    double off = 0;
+    constexpr double kStep = 1e-3;
+    for (int k = -8000; k <= 8000; ++k) {
+      const double z = kStep * k;
+      const double share = kStep * std::exp(-0.5 * z * z) / std::sqrt(2 * pi);
+      const LiftingForce force = over_rates(motion.mean + z * motion.extension_sd);
+      mean += share * force.mean;
+      square += share * (force.mean * force.mean + force.deviation * force.deviation);
+      slope += share * force.mean * z / motion.extension_sd;
+      off += share * force.off_ground;
+    }
+    const StatisticalGain gain = GainOf(tyre, motion);
+    EXPECT_NEAR(gain.mean + 3000 + tyre.stiffness * motion.mean, mean, 1e-6 * mean);
+    EXPECT_NEAR(gain.by_extension + tyre.stiffness, slope, 1e-6 * slope);
+    // A step, off the ground without damping, falls between two of the sum's.
+    EXPECT_NEAR(gain.by_rate, -damping * off, 1e-5 * damping);
+    const LiftingForce force = LiftingForceOf(tyre, motion);
+    EXPECT_NEAR(force.deviation, std::sqrt(square - mean * mean), 1e-6 * mean);
+    EXPECT_NEAR(force.off_ground, off, 5e-4);
+    EXPECT_GT(force.off_ground, 0.01);
+  }
+}
+
+TEST(StatisticalGain, OfATyreWithoutProgressionIsThatOfItsLiftoff) {
+  const LoadedTyre law = TyreLaw{.stiffness = 2e5}.Under(3000);
+  const PortMotion motion{.mean = 0.002, .extension_sd = 0.01, .rate_sd = 0.5};
+  for (const double damping : {0.0, 300.0}) {
+    const StatisticalGain expected = GainOf(LiftoffRemainder{3000, 2e5, damping}, motion);
+    const StatisticalGain gain = GainOf(TyreRemainder{law, damping, 2e5}, motion);
+    EXPECT_NEAR(gain.mean, expected.mean, 1e-7 * 3000);
+    EXPECT_NEAR(gain.by_extension, expected.by_extension, 1e-7 * 2e5);
+    EXPECT_NEAR(gain.by_rate, expected.by_rate, 1e-7 * 300);
+    EXPECT_EQ(GainOf(TyreRemainder{law, damping, 2e5}, {}).by_extension, 0);
+  }
+}
+
 }  // namespace
 }  // namespace fourpost::statistical_gain_test

@@ -45,6 +45,13 @@ FaultCase Bounded(const std::string& name, const std::string& parameter, const s
 
 const std::string kSlowPoint = R"(<point speed="-$v_table" force="-$f_table"/>)";
 
+/// Of the tyre 'fr'.
+const std::string kTyreRate = R"(stiffness="$kt" radius="0.35 m" lateral="$k_side"/>)";
+
+std::string TyreTable(const std::string& attributes, const std::string& points) {
+  return attributes + R"(radius="0.35 m" lateral="$k_side"><table>)" + points + "</table></fp:tyre>";
+}
+
 const std::string kCubic = R"(<cubic stiffness="$k_fr" cubic="$k3_fr"/>)";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -247,6 +254,52 @@ INSTANTIATE_TEST_SUITE_P(
                   "<fp:antiroll",
                   kAttributeMissing,
                   {"'stiffness'"}}),
+    CaseName);
+
+INSTANTIATE_TEST_SUITE_P(
+    TyreRates, ElementFaults,
+    ::testing::Values(
+        FaultCase{"TyreWithoutStiffness",
+                  kTyreRate,
+                  R"(radius="0.35 m" lateral="$k_side"/>)",
+                  R"(<fp:tyre name="fr")",
+                  kTyreRateNone,
+                  {"'fr'"}},
+        FaultCase{"ProgressionOfNoStiffness", kTyreRate,
+                  R"(stiffness="0 N/m" progression="3 1/m" radius="0.35 m" lateral="$k_side"/>)",
+                  R"(<fp:tyre name="fr")", kTyreRateNone},
+        FaultCase{"TyreStiffnessAndTable",
+                  kTyreRate,
+                  TyreTable(R"(stiffness="$kt" )",
+                            R"(<point deflection="0 mm" force="0 N"/><point deflection="9 mm" force="2 kN"/>)"),
+                  R"(<fp:tyre name="fr")",
+                  kTyreRateTwice,
+                  {R"(stiffness="$kt")", "'fr'"}},
+        FaultCase{"TyreProgressionAndTable",
+                  kTyreRate,
+                  TyreTable(R"(progression="3 1/m" )",
+                            R"(<point deflection="0 mm" force="0 N"/><point deflection="9 mm" force="2 kN"/>)"),
+                  R"(<fp:tyre name="fr")",
+                  kTyreRateTwice,
+                  {R"(progression="3 1/m")"}},
+        FaultCase{"ProgressiveTyreThatPulls",
+                  kTyreRate,
+                  R"(stiffness="$kt" progression="3 1/m" liftoff="false" radius="0.35 m" lateral="$k_side"/>)",
+                  R"(<fp:tyre name="fr")",
+                  kTyreHeld,
+                  {"'fr'"}},
+        FaultCase{"TyreTableOfOnePoint", kTyreRate, TyreTable("", R"(<point deflection="9 mm" force="2 kN"/>)"),
+                  R"(<fp:tyre name="fr")", kTyreTablePoints},
+        FaultCase{"TyreTableThatFalls",
+                  kTyreRate,
+                  TyreTable("", R"(<point deflection="0 mm" force="2 kN"/>
+<point deflection="9 mm" force="1 kN"/>)"),
+                  R"(<point deflection="9 mm")",
+                  kTyrePointOrder,
+                  {"9 mm"}},
+        FaultCase{"TyreThatPullsInItsTable", kTyreRate, TyreTable("", R"(<point deflection="0 mm" force="-2 kN"/>
+<point deflection="9 mm" force="1 kN"/>)"),
+                  R"(<fp:tyre name="fr")", kNumberNegative}),
     CaseName);
 
 INSTANTIATE_TEST_SUITE_P(

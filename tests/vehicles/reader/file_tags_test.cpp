@@ -24,6 +24,7 @@ const std::string kCoil =
 const std::string kHelper = R"(<linear stiffness="$k"/></fp:spring>)";
 const std::string kHub = R"(<linear rate="10 N*s/m"/>)";
 const std::string kCoilTable = "extension [mm],force [kN]\n-100,-3\n-50,-1\n0,0\n20,0.2\n";
+const std::string kTyreTable = "deflection [mm],force [kN]\n0,0\n10,1.9\n30,6.3\n";
 const std::string kShockTable = "speed [m/s],force [N]\n-1,-900\n0.1,300\n1,2000\n";
 
 class FileTags : public VehicleFileTest {
@@ -31,7 +32,9 @@ class FileTags : public VehicleFileTest {
   FileTags() {
     Write(kCoilTable, "coil.csv");
     Write(kShockTable, "shock.csv");
+    Write(kTyreTable, "tyre.csv");
     Write(kSpringFile, "coil.spr");
+    Write(kTyreFile, "tyre.tir");
     Write(kDamperFile, "shock.dpr");
     Write(kBushingFile, "arm.bus");
   }
@@ -41,6 +44,12 @@ class FileTags : public VehicleFileTest {
   }
   static std::string WithDamper(const std::string& table) { return Replaced(kSmallVehicle, kHub, table); }
 
+  static std::string WithTyre(const std::string& table) {
+    return Replaced(kSmallVehicle, R"(stiffness="200 kN/m" damping="50 N*s/m" preload="2 kN"/>)",
+                    R"(damping="50 N*s/m" preload="2 kN">)" + table + "</fp:tyre>");
+  }
+
+  static TyreLaw LawOfTyre(const Vehicle& vehicle) { return vehicle.tyres.at(0).law.At(vehicle.ParameterValues()); }
   static SpringLaw Helper(const Vehicle& vehicle) { return vehicle.springs.at(1).law.At(vehicle.ParameterValues()); }
   static DashpotLaw Hub(const Vehicle& vehicle) { return vehicle.dampers.at(1).law.At(vehicle.ParameterValues()); }
 
@@ -65,6 +74,20 @@ TEST_F(FileTags, AreAsIfWrittenOut) {
     <point speed="0.1 m/s" force="300 N"/><point speed="1 m/s" force="2 kN"/></table>)"));
   ASSERT_TRUE(damper && points);
   EXPECT_EQ(Hub(*damper), Hub(*points));
+}
+
+TEST_F(FileTags, GiveATyreItsLoadDeflectionCurve) {
+  const std::optional<Vehicle> written = Read(WithTyre(R"(<table scale="1.5"><point deflection="0 mm" force="0 N"/>
+    <point deflection="10 mm" force="1.9 kN"/><point deflection="30 mm" force="6.3 kN"/></table>)"));
+  ASSERT_TRUE(written) << diagnostics_.Format();
+  EXPECT_DOUBLE_EQ(LawOfTyre(*written).Force(0.01), 1.5 * 1900);
+  EXPECT_TRUE(written->tyres[0].lifts_off);
+  for (const char* file : {"tyre.csv", "tyre.tir"}) {
+    const std::optional<Vehicle> named = Read(WithTyre(R"(<table scale="1.5" file=")" + std::string(file) + R"("/>)"));
+    ASSERT_TRUE(named) << diagnostics_.Format();
+    EXPECT_EQ(LawOfTyre(*named), LawOfTyre(*written)) << file;
+    EXPECT_EQ(LawOfTyre(Moved(*named)), LawOfTyre(*written)) << file;
+  }
 }
 
 TEST_F(FileTags, ScaleTheCurve) {

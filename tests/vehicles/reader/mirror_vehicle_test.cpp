@@ -203,7 +203,7 @@ TEST_F(MirrorVehicle, TakesAWrittenTwin) {
       R"(<fp:tyre name="tyre_right" link="hub_right" xyz="0 -0.02 0" stiffness="300 kN/m"/>)" + kMirror;
   const Vehicle vehicle = Read(Axle(kLeft, stiff)).value();
   ASSERT_EQ(vehicle.tyres.size(), 2U);
-  EXPECT_EQ(vehicle.tyres[1].stiffness.value, 3e5);
+  EXPECT_EQ(vehicle.tyres[1].law.stiffness.value, 3e5);
   EXPECT_EQ(vehicle.posts.at(1).tyre, 1);
 }
 

@@ -45,7 +45,7 @@ TEST_F(Resolved, FillsInWhatIsLeftOutAndNothingElse) {
   fill(R"(<linear stiffness="$k")", R"( preload="equilibrium")");
   fill(R"(<series stiffness="800 N/mm")", R"( cubic="0 N/m^3")");
   fill(R"(damping="50 N*s/m" preload="2 kN")",
-       R"( radius="0 m" lateral="0 N/m" longitudinal="0 N/m" lateral_damping="0 N*s/m" )"
+       R"( progression="0 1/m" radius="0 m" lateral="0 N/m" longitudinal="0 N/m" lateral_damping="0 N*s/m" )"
        R"(longitudinal_damping="0 N*s/m" liftoff="true")");
   fill(R"(type="accelerometer" link="body" xyz="1 0 0")", R"( axis="0 0 1")");
   fill(R"(type="load_cell" tyre="tyre")", R"( wheelpan="0 kg")");

@@ -80,7 +80,7 @@ TEST_F(VehicleFile, GivesTheForces) {
   EXPECT_EQ(vehicle->dampers[1].law.compression.value, 10);
   EXPECT_EQ(vehicle->dampers[1].law.rebound.value, 10);
   const Tyre& tyre = vehicle->tyres.at(0);
-  EXPECT_EQ(tyre.stiffness.value, 2e5);
+  EXPECT_EQ(tyre.law.stiffness.value, 2e5);
   EXPECT_EQ(tyre.damping.value, 50);
   EXPECT_EQ(tyre.preload->value, 2000);
   EXPECT_EQ(vehicle->posts.at(0).tyre, 0);

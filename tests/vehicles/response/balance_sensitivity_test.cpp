@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/curved_tyres.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
 namespace fourpost::balance_sensitivity_test {
@@ -266,7 +267,17 @@ INSTANTIATE_TEST_SUITE_P(Elements, BalanceSensitivityOfAnElement,
                                          ElementCase{"Saturating", MakeSaturating},
                                          ElementCase{"MeasuredSpring", MeasureSpring, {{1.2}, {0.02}, {1}}},
                                          ElementCase{"BumpStop", AddBumpStop, {{1.2}, {0.02}, {1}}},
-                                         ElementCase{"Liftoff", LetTyreLift, {{12}, {0.015}, {1}}}),
+                                         ElementCase{"Liftoff", LetTyreLift, {{12}, {0.015}, {1}}},
+                                         ElementCase{"ProgressiveTyre",
+                                                     [](Vehicle& vehicle) { MakeProgressive(vehicle, 20, 0.6); },
+                                                     {{1.2, 5, 14}, {0.01, 0.004, 0.003}, {1}}},
+                                         ElementCase{"MeasuredTyre", MeasureTyres, {{1.2, 12}, {0.01, 0.004}, {1}}},
+                                         ElementCase{"ProgressiveTyreThatLiftsOff",
+                                                     [](Vehicle& vehicle) {
+                                                       MakeProgressive(vehicle, 20, 0.6);
+                                                       vehicle.tyres[0].damping = By(vehicle, "q_tyre", 15);
+                                                     },
+                                                     {{12}, {0.015}, {1}}}),
                          testing::PrintToStringParamName());
 
 TEST(BalanceSensitivity, TellsWhereTheBalanceDidNotConverge) {

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/curved_tyres.h"
 #include "tests/vehicles/damper_laws.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/shipped_vehicle.h"
@@ -154,6 +155,20 @@ TEST(Power, OfATyreThatDampsAndLeavesTheGround) {
   Prepared damped(vehicle);
   const Power of_damped = PowerOfPosts(vehicle, damped.Linearised(excitation).response, {1}, 0);
   EXPECT_NEAR(of_damped.in, Dissipation(damped, {1}, 12, 0.015), kBalanced * of_damped.apparent);
+}
+
+// On its curve a tyre keeps nothing either, on the ground or off it.
+TEST(Power, OfATyreOnItsCurve) {
+  Vehicle vehicle = QuarterCarWith({"Bilinear", Rates(800, 2600)});
+  MakeProgressive(vehicle, 20, 0.6);
+  const Excitation excitation{{5, 12}, {0.006, 0.015}, {1}};
+  const Prepared prepared(vehicle);
+  const FrequencyResponse response = prepared.Linearised(excitation).response;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Power power = PowerOfPosts(vehicle, response, {1}, i);
+    const double taken = Dissipation(prepared, {1}, excitation.frequency_Hz[i], excitation.amplitude_m[i]);
+    EXPECT_NEAR(power.in, taken, kBalanced * power.apparent) << excitation.frequency_Hz[i] << " Hz";
+  }
 }
 
 // Bilinear dampers behind mounts, with friction; bushings; tyres.

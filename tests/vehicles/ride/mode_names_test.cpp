@@ -85,7 +85,7 @@ TEST(ModeNames, TellHopFromTrampOfIndependentWheels) {
 TEST(ModeNames, TellTheSideOfAWheelThatHopsAlone) {
   Vehicle vehicle = VehicleOf(kIndependentCar);
   vehicle.antiroll_bars.clear();
-  vehicle.tyres[0].stiffness = {260e3};
+  vehicle.tyres[0].law.stiffness = {260e3};
   const std::vector<std::string> names = Names(vehicle);
   EXPECT_THAT(names, testing::Contains("front left hop"));
   EXPECT_THAT(names, testing::Contains("front right hop"));

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/vehicles/curved_tyres.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
@@ -142,6 +143,13 @@ INSTANTIATE_TEST_SUITE_P(
                          [](Vehicle& vehicle) {
                            vehicle.tyres[0].lifts_off = false;
                            AddSeal(vehicle, 60);
+                         }},
+                    Case{"OnATyreThatStiffens", [](Vehicle& vehicle) { MakeProgressive(vehicle, 20, 0.6); }},
+                    Case{"OnAMeasuredTyre",
+                         [](Vehicle& vehicle) {
+                           MeasureTyres(vehicle);
+                           const auto kt = static_cast<int>(vehicle.IndexOf("kt").value());
+                           vehicle.tyres[0].damping = {.value = 230, .parameter = kt, .factor = 1e-3};
                          }},
                     Case{"ThatLeavesTheGround", [](Vehicle& vehicle) { vehicle.tyres[0].lifts_off = true; }, true}),
     [](const auto& instance) { return std::string(instance.param.name); });

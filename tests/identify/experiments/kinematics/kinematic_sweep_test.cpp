@@ -122,6 +122,13 @@ kinematics: [{file: table.csv, noise: {track: 1 mm, toe: 0.01 deg, motion_ratio:
                                                     "roll toe wheel_right 2", "roll motion_ratio coil_left 2"));
 }
 
+TEST_F(KinematicSweepTest, RefusesANumberWhoseRowNamesNoWheel) {
+  folder_.Write("table.csv", "motion,travel [mm],wheel,toe [deg]\nheave,0,left,0.1\nheave,10,,0.2\nheave,20,,\n");
+  Diagnostics findings;
+  EXPECT_FALSE(folder_.Load(kByRows, findings));
+  EXPECT_THAT(findings, ReportsOnly(kKinematicWheelEmpty, 3, {"toe"}));
+}
+
 TEST_F(KinematicSweepTest, TakesThePositionOfEachMotion) {
   folder_.Write("table.csv", R"(motion,travel [mm],force [kN],torque [N*m],toe_left [deg]
 heave,10,,,0.1
@@ -232,8 +239,8 @@ TEST_F(KinematicSweepTest, RefusesPositionsThatItWouldNotUse) {
   EXPECT_THAT(Faults("travel: Z", "travel: Z\n    force: Z"),
               ReportsOnly(kKinematicPositionTwice, 6, {"force", "travel"}));
   EXPECT_THAT(Faults("travel: Z", "travel: {channel: Z, offset: 3 mm}"), ReportsOnly(kKeyUnknown, 5, {"'offset'"}));
-  LoadedStudy study = folder_.Loaded(
-      With("motion: heave\n    travel: Z", "motion: aligning\n    torque: {channel: Z, unit: N*m}"));
+  LoadedStudy study =
+      folder_.Loaded(With("motion: heave\n    travel: Z", "motion: aligning\n    torque: {channel: Z, unit: N*m}"));
   EXPECT_THAT(rig_study::RigOf(study).fitted.at(0).positions, ElementsAre(-20, 0, 20));
 }
 

@@ -49,9 +49,9 @@ export function typedValue(parameter, text) {
 /** At the digits that a slider can tell apart. */
 export const rounded = (parameter, value) => Number(value.toPrecision(4));
 
-/** Options of the program for what differs from the fit. */
+/** Options of the program for what differs from the fit: 3/m where a unit is 1/m. */
 export function asOptions(parameters, values) {
   return parameters
-    .flatMap(({ name, unit, value }, i) => (values[i] === value ? [] : [`--set ${name}=${Number(values[i].toPrecision(6))}${unit && unit !== '1' ? unit : ''}`]))
+    .flatMap(({ name, unit, value }, i) => (values[i] === value ? [] : [`--set ${name}=${Number(values[i].toPrecision(6))}${(unit ?? '').replace(/^1/, '')}`]))
     .join(' ');
 }
