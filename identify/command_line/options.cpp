@@ -149,7 +149,7 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
       "From where the vehicle was let go: estimated, \"at rest\", or the readings above rest at which "
       "it was held, e.g. z_body=\"50 mm\"; default: as the study's first history");
   QuantityOptions(subcommand, command.faults)
-      .Add("--start", kTime, "When it was let go, or from when on the recording counts, e.g. 0.8s",
+      .Add("--start", kTime, "Time of the release, or start of the evaluated part of a time history, e.g. 0.8s",
            [&command](double start_s) { command.start_s = start_s; });
   subcommand
       .add_option_function<std::string>(

@@ -1,16 +1,21 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace fourpost {
 
 /// Shows on stderr how a long task gets on: one line that is rewritten on a terminal, now and then a plain line
-/// elsewhere. Short tasks stay silent elsewhere.
+/// elsewhere. Short tasks stay silent elsewhere. What lasts without news is shown again with the time that it has taken:
+/// one evaluation may take minutes.
 class ProgressLine {
  public:
-  /// `start`: of the work, of which this may be a later line.
-  explicit ProgressLine(std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now());
+  /// `start`: of the work, of which this may be a later line. `beat`: after how long it is shown again.
+  explicit ProgressLine(std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now(),
+                        std::chrono::steady_clock::duration beat = std::chrono::seconds(5));
   /// Ends the line.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -29,10 +34,20 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void Beat();
+  void Print(const std::string& text);
+
   bool terminal_;
-  bool line_open_ = false;
+  Clock::duration beat_;
   Clock::time_point start_;
+  /// Of all below.
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool line_open_ = false;
+  bool ended_ = false;
   Clock::time_point shown_;
+  std::string text_;
+  std::thread beating_;
 };
 
 }  // namespace fourpost

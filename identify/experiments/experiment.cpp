@@ -2,7 +2,15 @@
 
 #include <iterator>
 
+#include "identify/experiments/findings.h"
+
 namespace fourpost {
+
+void RefuseRelease(const PredictionRequest& request) {
+  if (request.release.empty() && !request.start_s) return;
+  Refuse(kReleaseOfOtherKind, Place::Option(request.release.empty() ? "--start" : "--release"),
+         {request.recording.filename().string()});
+}
 
 nlohmann::ordered_json LeftOutJson(const LeftOutRecording& recording) {
   return {{"recording", recording.name}, {"reason", recording.reason}};

@@ -84,6 +84,9 @@ struct PredictionRequest {
   bool has_files = false;
 };
 
+/// Refuses a release or a start, of experiments that have neither.
+void RefuseRelease(const PredictionRequest& request);
+
 /// One kind of test on a rig: as a study describes it, after Load() with its recordings. A new kind is a class of its
 /// own and an entry in ExperimentKinds() of experiment_kinds.cpp. Not to be changed while its residuals are evaluated.
 class Experiment {

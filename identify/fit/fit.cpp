@@ -274,7 +274,7 @@ class RunningFit {
       std::optional<Calibrated> calibrated;
       if (!stop_()) calibrated = AllowForCalibrations(states, noise, best);
       if (calibrated) HoldAtBounds(best.values, states);
-      AddCertainty(Integrated(best), states, noise.gradient, calibrated);
+      AddCertainty(best, states, noise.gradient, calibrated);
       if (stop_()) EndWithoutDeviations();
       else if (result_.end != FitEnd::kConverged) JudgeEnd(left);
       if (result_.covariance) AddProfiles(best);
@@ -315,24 +315,27 @@ class RunningFit {
     else DropCertainty();
   }
 
-  /// Moves the best point to where that of an exact integration is, if it is better by one that is nearly so. What that
-  /// one's residuals are there says what noise and the model do; the others still pull back.
+  /// Moves the best point to where that of an exact integration is, if it is better by one that is nearly so. From
+  /// there on residuals are those of such a one: what is left of them is noise and what the model lacks.
   void AllowForIntegration(const std::vector<Eigen::Index>& fixed, RefineResult& best) {
     const RobustLoss& loss = options_.refine.loss;
     const std::optional<Eigen::VectorXd> here = FinerResiduals(objective_, best);
     if (!here) return;
+    const double coarse_cost = best.cost;
+    Eigen::VectorXd finer = *here;
     RefineResult moved = best;
-    if (!MoveBy(archive_, IntegrationStep(objective_, best, *here, loss, fixed), loss, moved)) return;
-    const std::optional<Eigen::VectorXd> there = FinerResiduals(objective_, moved);
-    if (!there || !(loss.Cost(*there) < loss.Cost(*here))) return;
-    best = std::move(moved);
-    by_integration_ = *there - best.residuals;
-  }
-
-  /// With the residuals of an exact integration.
-  RefineResult Integrated(RefineResult best) const {
-    if (by_integration_.size() > 0) best.residuals += by_integration_;
-    return best;
+    if (MoveBy(archive_, IntegrationStep(objective_, best, *here, loss, fixed), loss, moved)) {
+      const std::optional<Eigen::VectorXd> there = FinerResiduals(objective_, moved);
+      if (there && loss.Cost(*there) < loss.Cost(*here)) {
+        best = std::move(moved);
+        finer = *there;
+      }
+    }
+    archive_.ShiftResiduals(finer - best.residuals);
+    best.residuals = std::move(finer);
+    best.cost = loss.Cost(best.residuals);
+    // Near the optimum the integration takes as much of the cost elsewhere.
+    for (RefinedStart& run : result_.refined) run.cost += best.cost - coarse_cost;
   }
 
   /// Rise over cost is the power of the noise over that of the motion: a tenth is noise of a third of the motion. What
@@ -379,7 +382,7 @@ class RunningFit {
   std::optional<Calibrated> AllowForCalibrations(const std::vector<ParameterState>& states, const InputNoise& noise,
                                                  RefineResult& best) {
     std::optional<Calibrated> found =
-        CalibratedAt(objective_, archive_.lattice(), Integrated(best), options_.refine.loss, states, noise);
+        CalibratedAt(objective_, archive_.lattice(), best, options_.refine.loss, states, noise);
     result_.are_calibrations_unused = !objective_.calibrations().empty() && !found;
     if (!found) return std::nullopt;
     RefineResult moved = best;
@@ -426,8 +429,6 @@ class RunningFit {
   /// They lead refinements.
   const std::optional<VehicleObjective> coarse_objective_ = objective_.Coarse();
   std::optional<Archive> coarse_;
-  /// What an exact integration changes in the residuals at the optimum; empty: nothing.
-  Eigen::VectorXd by_integration_;
   FitResult result_;
   std::string_view stage_;
   std::int64_t paid_before_ = 0;

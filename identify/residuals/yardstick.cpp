@@ -150,7 +150,8 @@ void AddRepeats(const std::vector<YardstickRecord>& records, const YardstickReco
   for (const YardstickRecord& record : records) {
     const VectorXd* other = Find(record, channel);
     if (record.name == judged.name || !other || !AreRepeats(record, judged)) continue;
-    sum += Centred(*other - values).squaredNorm();
+    const VectorXd apart = *other - values;
+    sum += (record.has_means ? apart : Centred(apart)).squaredNorm();
     ++count;
   }
   if (count > 0) yardstick.repeat_nmse_percent = 100 * sum / (2 * count) / Centred(values).squaredNorm();

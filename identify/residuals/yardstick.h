@@ -18,6 +18,8 @@ struct YardstickRecord {
   double rate_Hz = 0;
   /// Recordings of unlike settings are of unlike systems.
   ControlSetting setting = {};
+  /// Whether means are compared as well, as those of a bench's force.
+  bool has_means = false;
   /// Samples x inputs.
   Eigen::MatrixXd inputs;
   struct Channel {

@@ -79,17 +79,16 @@ inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::
 inline const Finding kEndedAtBounds{"ended-at-bounds", Severity::kWarning, "parameters ended at their bounds: {}",
                                     "widen bounds that are guesses; else check zeros, signs and units of what was "
                                     "measured, or the model lacks something"};
-inline const Finding kFarFromPrior{"far-from-prior", Severity::kWarning,
-                                   "the data contradict what was known: {} standard deviations of the prior from it",
+inline const Finding kFarFromPrior{"far-from-prior", Severity::kWarning, "fitted values contradict their priors: {}",
                                    "check the prior, the scale of forces and posts, and what is held; a model that "
                                    "lacks something moves parameters as well"};
 inline const Finding kWithoutEffect{"without-effect", Severity::kWarning, "the data do not change with {}",
-                                    "fix it, give it a prior, or record a motion that reaches what it is of"};
+                                    "fix it, give it a prior, or record a motion that excites its element"};
 inline const Finding kIntervalFillsBounds{"interval-fills-bounds", Severity::kWarning,
                                           "intervals reach from bound to bound, so the data do not determine: {}",
                                           "widen bounds that are guesses, or measure a channel that depends on them"};
 inline const Finding kHeldFillsBounds{"held-fills-bounds", Severity::kWarning,
-                                      "intervals reach from bound to bound because of what is held: {}",
+                                      "intervals span the bounds because of held parameters: {}",
                                       "measure what is held and state its 'prior_sd'"};
 inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::kWarning,
                                             "the data do not change with the one free parameter",

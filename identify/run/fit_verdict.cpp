@@ -133,6 +133,7 @@ void AddAtBounds(const FitResult& fit, Diagnostics& conclusions) {
   std::string names;
   for (const FittedParameter& one : fit.parameters) {
     const bool is_lower = one.BoundName() == "lower";
+    if (one.state == ParameterState::kUndetermined) continue;
     if (one.at_bound && (is_lower ? one.lower : one.upper) != 0)
       names += (names.empty() ? "" : ", ") + one.name + (is_lower ? " (lower)" : " (upper)");
   }
@@ -145,7 +146,8 @@ void AddFarFromPrior(const FitResult& fit, Diagnostics& conclusions) {
   std::string names;
   for (const FittedParameter& one : fit.parameters)
     if (std::abs(one.FromPrior()) > kFar)
-      names += (names.empty() ? "" : ", ") + one.name + " is " + ShortNumber(std::abs(one.FromPrior()), 2);
+      names +=
+          (names.empty() ? "" : ", ") + one.name + " by " + ShortNumber(one.FromPrior(), 2) + " standard deviations";
   if (!names.empty()) conclusions.Report(kFarFromPrior, {}, {names});
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/text/text_table.h"
+#include "identify/fit/first_order_step.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/run/findings.h"
 #include "identify/run/run_spread.h"
@@ -42,6 +43,12 @@ class FittedCost {
       hooks.Show("draws: " + std::to_string(archive_.counts().paid + of_batch) + " evaluations");
     });
     if (hooks.stop) archive_.StopBatches(hooks.stop);
+    // As the fit, which ended by residuals of an exact integration.
+    RefineResult ended{.values = run_.parameters.values,
+                       .residuals = archive_.EvaluateValues({run_.parameters.values}).front().residuals};
+    if (ended.residuals.size() > 0)
+      if (const std::optional<Eigen::VectorXd> finer = FinerResiduals(objective_, ended))
+        archive_.ShiftResiduals(*finer - ended.residuals);
     RequireCost(request.study);
   }
 

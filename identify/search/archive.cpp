@@ -58,6 +58,14 @@ std::vector<Score> Archive::Evaluate(const std::vector<LatticePoint>& batch) {
 }
 
 std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorXd>& batch) {
+  std::vector<Evaluation> evaluations = EvaluateUnshifted(batch);
+  if (shift_.size() > 0)
+    for (Evaluation& evaluation : evaluations)
+      if (evaluation.ok()) evaluation.residuals += shift_;
+  return evaluations;
+}
+
+std::vector<Evaluation> Archive::EvaluateUnshifted(const std::vector<Eigen::VectorXd>& batch) {
   std::vector<Eigen::VectorXd> values;
   for (const Eigen::VectorXd& asked : batch) values.push_back(lattice().RoundDiscrete(asked));
   if (store_ != nullptr) return EvaluateStored(values);

@@ -100,6 +100,9 @@ class Archive {
   /// From now on asks after each point of a batch, one thread at a time, whether to end it by throwing BatchStopped;
   /// nothing: never.
   void StopBatches(std::function<bool()> stop) { stop_ = std::move(stop); }
+  /// Adds these to the residuals of each evaluation that is asked for from now on, but not to what is stored or watched:
+  /// what is known near a point of the error of all evaluations.
+  void ShiftResiduals(Eigen::VectorXd shift) { shift_ = std::move(shift); }
   /// Lowest of all that were watched, of squares where nothing is watched; infinite before the first.
   double best_cost() const { return best_cost_; }
   /// Where that is; empty before the first.
@@ -134,6 +137,7 @@ class Archive {
   std::vector<LatticePoint> NewPoints(const std::vector<LatticePoint>& batch) const;
   EvaluationStore::Answer Ask(const Eigen::VectorXd& values) const;
   std::vector<EvaluationStore::Answer> AskAll(const std::vector<Eigen::VectorXd>& points) const;
+  std::vector<Evaluation> EvaluateUnshifted(const std::vector<Eigen::VectorXd>& batch);
   std::vector<Evaluation> EvaluateStored(const std::vector<Eigen::VectorXd>& batch);
   // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
   void CheckSize(Evaluation& evaluation);
@@ -151,6 +155,8 @@ class Archive {
   std::function<double(const Eigen::VectorXd& residuals)> watched_;
   std::function<void(std::int64_t done)> tell_;
   std::function<bool()> stop_;
+  // Empty: nothing.
+  Eigen::VectorXd shift_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   Eigen::VectorXd best_values_;
   Eigen::Index residual_count_ = 0;

@@ -1,5 +1,6 @@
 """How a long task gets on: a line of a terminal, rewritten, and now and then a plain line elsewhere."""
 import fcntl
+import math
 import os
 import pty
 import re
@@ -56,6 +57,20 @@ class Progress(ProgramTest):
                 self.assertRegex(line, r"^\w+: \d+ (of \d+ )?eval.*\.\.\.$")
         # Where the terminal tells no width.
         self.assertLess(max(map(len, self.updates(0, FIT, 5))), 80)
+
+    def test_is_shown_again_while_one_evaluation_lasts(self):
+        """Each of a release that is estimated takes some simulations of two minutes at 1 kHz."""
+        rows = "".join(f"{k / 1000:.3f},{0.02 * math.exp(-k / 2000) * math.cos(k / 140):.6g}\n" for k in range(120000))
+        self.write("drop.csv", "time,z\ns,m\n" + rows)
+        self.write("drop.yaml", f"vehicle: {SOURCE}/urdf/quarter_car.urdf\nfree: [k, c_bump]\nhistories:\n"
+                   "  - {file: drop.csv, release: estimated, channels: {z_sprung: z}}\n")
+        program = self.start(["fit", "drop.yaml", "-o", "drop", "--threads", "1", "--accept-implausible"], subprocess.PIPE)
+        ends = time.monotonic() + 120
+        told = b""
+        while b" s so far, " not in told and time.monotonic() < ends and program.poll() is None:
+            told += os.read(program.stderr.fileno(), 1000)
+        program.stderr.close()
+        self.assertRegex(told.decode(), r"(?m)^\d+ s so far, identifiability: \d+ evaluations")
 
     def test_is_whole_where_there_is_room(self):
         for line in self.updates(250, FIT, 5):

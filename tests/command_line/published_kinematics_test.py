@@ -7,6 +7,7 @@ import unittest
 from program import ProgramTest
 
 PUBLISHED = pathlib.Path(__file__).parent / "published"
+HALF_TRACK_MM = 619  # of the Formula Student car's front axle
 AXLES = "front=double_wishbone,rear=double_wishbone"
 
 
@@ -43,7 +44,7 @@ class PublishedKinematics(ProgramTest):
                      for name in ("camber_deg", "toe_deg", "centre_x_mm", "centre_y_mm")}
             found["length_mm"] = float(coils[-1]["length_mm"]) - float(coils[0]["length_mm"])
             return found
-        bump, roll = change(10.0, "bump"), change(619 * math.tan(math.radians(2)), "roll")
+        bump, roll = change(10.0, "bump"), change(HALF_TRACK_MM * math.tan(math.radians(2)), "roll")
         found = {"bump_camber": bump["camber_deg"] / 0.02, "bump_steer": bump["toe_deg"] / 0.02,
                  "recession_long": bump["centre_x_mm"] / 20, "recession_lat": bump["centre_y_mm"] / 20,
                  "spring_ratio": -bump["length_mm"] / 20, "roll_steer": roll["toe_deg"], "roll_camber": roll["camber_deg"]}

@@ -287,15 +287,15 @@ class Checker {
       middles.push_back(0.5 * (x_[turns_[i]] + x_[turns_[i - 1]]));
       resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
     }
-    if (places.size() + 2 < kFewest) return;
+    if (places.size() + 3 < kFewest) return;
     ReportDrift(places, middles, SpanOf(x_), "displacement", "m");
     // Of a force that is late it is that of some speed.
     if (!is_delayed_ && samples_in_cycle_ >= kFewestForForce)
       ReportDrift(places, resting, SpanOf(force_), "force at the turning points", "N");
   }
 
-  /// Whether the swing to this turning point is as long as those beside it: the first one out of a rest and the last
-  /// one into it have their middle elsewhere.
+  /// Whether the swing to this turning point is as long as those beside it. The middle of one that grows out of a rest
+  /// is not the middle of the motion.
   bool IsOneOfAlike(std::size_t i) const {
     constexpr double kChange = 0.2;
     const auto swing = [&](std::size_t k) { return std::abs(x_[turns_[k]] - x_[turns_[k - 1]]); };

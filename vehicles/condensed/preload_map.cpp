@@ -1,6 +1,6 @@
 #include "vehicles/condensed/preload_map.h"
 
-#include <utility>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -21,13 +21,20 @@ Eigen::VectorXd PreloadMap::At(const Eigen::VectorXd& force,
                                const std::function<HolderTangents(const Eigen::VectorXd&)>& tangents) const {
   // The error after a step of this size is about its square.
   constexpr double kStep = 1e-9;
-  constexpr int kMostSteps = 30;
+  constexpr int kMostSteps = 100;
   Eigen::VectorXd preloads = least_ * force;
   if (IsDeterminate()) return preloads;
-  for (int step = 0; step < kMostSteps; ++step) {
+  // Shorter ones where a curve's rates alternate, so that they would go to and fro.
+  double share = 1;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostSteps; ++i) {
     const HolderTangents now = tangents(preloads);
-    const Eigen::VectorXd before = std::exchange(preloads, At(force, now));
-    if (now.slack.size() == 0 || (preloads - before).norm() <= kStep * preloads.norm()) break;
+    const Eigen::VectorXd step = At(force, now) - preloads;
+    if (now.slack.size() == 0) return preloads + step;
+    if (step.norm() >= last) share /= 2;
+    last = step.norm();
+    preloads += share * step;
+    if (last <= kStep * preloads.norm()) break;
   }
   return preloads;
 }

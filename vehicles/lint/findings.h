@@ -44,7 +44,7 @@ inline const Finding kTableNotPlaced{
     "there"};
 inline const Finding kTyreTableEnd{
     "tyre-table-end", Severity::kWarning,
-    "{} carries {} at rest, beyond the table, which holds {} to {}: the tyre goes straight on there",
+    "{} carries {} at rest, beyond the table, which holds {} to {}, so its curve is extrapolated linearly",
     "measure its deflection up to twice the load at rest and from near zero, or correct the masses or the preload"};
 inline const Finding kParameterIdle{"parameter-idle", Severity::kWarning,
                                     "fp:parameter '{}' changes no motion, no static load and no sensor's reading",

@@ -283,7 +283,7 @@ inline const Finding kTyreRateTwice{"tyre-rate-twice", Severity::kError, "{} has
                                     "keep one of the two: the table gives the vertical force at any load"};
 inline const Finding kTyreHeld{
     "tyre-held", Severity::kError, "{} has liftoff=\"false\", but its stiffness changes with the load",
-    "remove liftoff=\"false\": a pull is on no load-deflection curve; or give it a constant stiffness"};
+    "remove liftoff=\"false\": a load-deflection curve is not defined for tension; or give it a constant stiffness"};
 inline const Finding kTyreTablePoints{"tyre-table-points", Severity::kError, "{} needs at least two <point>s",
                                       "add them as <point deflection=\"...\" force=\"...\"/>"};
 inline const Finding kTyrePointOrder{

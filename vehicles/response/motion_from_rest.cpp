@@ -48,15 +48,15 @@ std::map<std::string, double> LoudestOf(const FrequencyResponse& response) {
   return loudest;
 }
 
-/// That lift off, with their rates at rest: a load-deflection curve lies above its tangents, so that forces come out
-/// too low.
+/// That lift off, with the larger one of the rate at rest and the mean rate from there to lift-off, so that forces come
+/// out too low whether a curve is progressive or not.
 std::vector<CondensedModel::Liftoff> TyresAtRest(const CondensedModel& model) {
   std::vector<CondensedModel::Liftoff> tyres = model.liftoffs;
   for (const CondensedModel::CurvedTyre& tyre : model.curved_tyres)
     tyres.push_back({.direction = tyre.direction,
                      .post = tyre.post,
                      .preload = tyre.law.load,
-                     .stiffness = tyre.law.Rate(0),
+                     .stiffness = std::max(tyre.law.Rate(0), -tyre.law.load / tyre.law.Liftoff()),
                      .damping = tyre.damping,
                      .load_cells = {}});
   return tyres;

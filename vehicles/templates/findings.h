@@ -62,7 +62,7 @@ inline const Finding kWheelAxisInboard{"wheel-axis-inboard", Severity::kError,
                                        "give a point of the wheel's axis on its outer side"};
 inline const Finding kContactBeside{
     "contact-beside", Severity::kWarning,
-    "the {} axle's 'contact' lies {} beside the wheel's plane, and its height alone is used",
+    "the {} axle's 'contact' lies {} off the wheel's plane; only its height is used",
     "turn the wheel by 'wheel_axis', a point of its axis further out, or correct the point"};
 inline const Finding kPointCarrier{"point-carrier", Severity::kError, "'{}' cannot stand on '{}' of {}{}",
                                    "write a part of that suspension, or leave the cell empty"};

@@ -82,7 +82,10 @@ std::vector<YardstickRecord> YardstickRecords(const std::vector<ModelledRecordin
   std::vector<YardstickRecord> records;
   for (const auto& [recording, force] : recordings) {
     const auto count = static_cast<Eigen::Index>(recording.end - recording.first);
-    YardstickRecord record{.name = recording.name, .rate_Hz = 1 / recording.sample_s, .setting = recording.setting};
+    YardstickRecord record{.name = recording.name,
+                           .rate_Hz = 1 / recording.sample_s,
+                           .setting = recording.setting,
+                           .has_means = true};
     record.inputs.resize(count, 1);
     for (Eigen::Index k = 0; k < count; ++k)
       record.inputs(k, 0) =

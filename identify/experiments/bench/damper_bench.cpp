@@ -270,9 +270,8 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   refuse(!request.mode.empty(), "--mode");
   refuse(request.has_kalman, "--kalman");
   refuse(!request.noise_from.empty(), "--noise-from");
-  refuse(!request.release.empty(), "--release");
-  refuse(request.start_s.has_value(), "--start");
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
+  RefuseRelease(request);
   DamperBench other = *this;
   other.plan.recordings = {AsStated(plan, request)};
   other.plan.validation.clear();

@@ -12,7 +12,6 @@
 #include "analysis/text/named.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
-#include "identify/experiments/findings.h"
 #include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post.h"
@@ -300,9 +299,7 @@ class SinePrediction {
 std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const PredictionRequest& request,
                                                    const WorkHooks& hooks) const {
   if (request.has_kalman) Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
-  if (!request.release.empty() || request.start_s)
-    Refuse(kReleaseOfOtherKind, Place::Option(request.release.empty() ? "--start" : "--release"),
-           {request.recording.filename().string()});
+  RefuseRelease(request);
   return SinePrediction(plan, subject, request, hooks).Run();
 }
 

@@ -21,17 +21,14 @@ struct OtherName {
   std::string_view theirs;
   std::string_view ours;
 };
-constexpr std::array<OtherName, 11> kOtherNames = {{{"wheel_travel", "travel"},
-                                                    {"bump_travel", "travel"},
-                                                    {"suspension_travel", "travel"},
-                                                    {"vertical_travel", "travel"},
-                                                    {"jounce", "travel"},
-                                                    {"bump", "travel"},
-                                                    {"lateral_force", "force"},
-                                                    {"longitudinal_force", "force"},
-                                                    {"aligning_torque", "torque"},
-                                                    {"camber_angle", "camber"},
-                                                    {"toe_angle", "toe"}}};
+constexpr std::array<OtherName, 8> kOtherNames = {{{"wheel_travel", "travel"},
+                                                   {"bump_travel", "travel"},
+                                                   {"suspension_travel", "travel"},
+                                                   {"vertical_travel", "travel"},
+                                                   {"jounce", "travel"},
+                                                   {"bump", "travel"},
+                                                   {"camber_angle", "camber"},
+                                                   {"toe_angle", "toe"}}};
 
 /// By the first field that is not empty.
 bool IsText(const RecordedTable& table, std::size_t index) {
@@ -77,18 +74,33 @@ std::string Plain(const std::string& name) {
   return plain;
 }
 
-/// The name that is meant; as it is where that is none of ours, for parts of the vehicle have theirs.
-std::string OwnName(const std::string& name) {
-  if (ParseQuantityName(name)) return name;
-  std::string plain = Plain(name);
-  for (const OtherName& other : kOtherNames)
-    if (plain == other.theirs || plain.starts_with(std::string(other.theirs) + "_left") ||
-        plain.starts_with(std::string(other.theirs) + "_right"))
-      plain = std::string(other.ours) + plain.substr(other.theirs.size());
+/// Ours for a name in small letters; empty for none.
+std::string_view OwnName(const std::string& plain) {
   constexpr std::array<std::string_view, 4> kPositions = {"travel", "force", "torque", "per"};
-  const bool is_ours =
-      ParseQuantityName(plain) || std::find(kPositions.begin(), kPositions.end(), plain) != kPositions.end();
-  return is_ours ? plain : name;
+  for (const OtherName& other : kOtherNames)
+    if (plain == other.theirs) return other.ours;
+  for (const std::string_view name : kPositions)
+    if (plain == name) return name;
+  const KinematicQuantity* const quantity = FindKinematicQuantity(plain);
+  return quantity ? quantity->name : std::string_view();
+}
+
+/// The name that is meant, and whose it is as written, but for blanks and for sides; as it is where that is none of
+/// ours.
+std::string MeantName(const std::string& name) {
+  if (ParseQuantityName(name)) return name;
+  for (std::size_t length = name.size(); length > 0; --length) {
+    const bool is_end = length == name.size() || std::isalnum(static_cast<unsigned char>(name[length])) == 0;
+    const std::string_view own = is_end ? OwnName(Plain(name.substr(0, length))) : std::string_view();
+    if (own.empty()) continue;
+    const std::size_t of = name.find_first_not_of(" _-:.()", length);
+    if (of == std::string::npos) return std::string(own);
+    std::string whose = name.substr(of);
+    std::replace(whose.begin(), whose.end(), ' ', '_');
+    if (const std::string side = Plain(whose); side == "left" || side == "right") whose = side;
+    return std::string(own) + '_' + whose;
+  }
+  return name;
 }
 
 KinematicColumn ColumnOf(const RecordedTable& table, std::size_t index) {
@@ -101,7 +113,7 @@ KinematicColumn ColumnOf(const RecordedTable& table, std::size_t index) {
       if (column.unit.empty()) column.unit = end == "Nm" ? "N*m" : end;
     }
   }
-  column.name = OwnName(column.name);
+  column.name = MeantName(column.name);
   column.is_text = IsText(table, index);
   return column;
 }

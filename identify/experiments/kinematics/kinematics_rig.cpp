@@ -178,6 +178,7 @@ bool KinematicsRig::Reads(const RecordedTable& table) const {
 
 std::optional<ExperimentResults> KinematicsRig::Predict(const Subject& subject, const PredictionRequest& request,
                                                         const WorkHooks&) const {
+  RefuseRelease(request);
   ExperimentResults results;
   const std::optional<RecordedTable> table = ReadRecordedTable(request.recording, results.findings);
   if (!table) throw FaultyInput(results.findings);

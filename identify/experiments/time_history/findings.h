@@ -37,7 +37,7 @@ inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kErro
 inline const Finding kReleaseOfStudy{"release-of-study", Severity::kWarning,
                                      "{} is predicted from where the study lets the vehicle go: {}",
                                      "state its own by --release, such as --release z_body=\"50 mm\""};
-inline const Finding kReleaseOption{"release-option", Severity::kError, "'{}' is no release",
+inline const Finding kReleaseOption{"release-option", Severity::kError, "'{}' states no release",
                                     "state estimated, \"at rest\", or the readings above rest at which the vehicle was "
                                     "held: z_body=\"50 mm\",z_axle=estimated"};
 inline const Finding kReleaseUnknown{

@@ -112,8 +112,10 @@ class HistoryPrediction {
     // Beside this file there is none.
     history.preparation.others.clear();
     history.setting = request_.setting;
-    if (request_.start_s) history.start_s = request_.start_s;
-    if (!request_.release.empty()) LetGo(history);
+    if (recording == request_.recording) {
+      if (request_.start_s) history.start_s = request_.start_s;
+      if (!request_.release.empty()) LetGo(history);
+    }
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);

@@ -22,7 +22,14 @@ Eigen::VectorXd Input() {
 /// y = 2 u, integrated with an error of one per cent.
 Eigen::VectorXd Coarse(double p) { return (1.01 * p - 2) * Input(); }
 
-FitResult Fitted(const Residuals& residuals, const Residuals& finer, int iterations = 100) {
+/// Noise, 1e-4 of the input.
+Eigen::VectorXd Ripple() {
+  return Eigen::VectorXd::NullaryExpr(kCount,
+                                      [](Eigen::Index k) { return 2e-4 * std::sin(2.7 * static_cast<double>(k * k)); });
+}
+
+FitResult Fitted(const Residuals& residuals, const Residuals& finer, int iterations = 100,
+                 const std::vector<Eigen::Index>& profiled = {}) {
   const VehicleObjective toy = ToyObjective(1, kCount, 1e-15, {});
   ResidualBlock block{.name = "toy", .count = kCount, .accuracy = 1e-15};
   block.evaluate = [=](const std::vector<double>& values, const Deadline&) {
@@ -34,6 +41,7 @@ FitResult Fitted(const Residuals& residuals, const Residuals& finer, int iterati
   options.starts = 0;
   options.threads = 1;
   options.refine.max_iterations = iterations;
+  options.profiled = profiled;
   return Fit(VehicleObjective(toy.vehicle(), toy.free(), {block}), options);
 }
 
@@ -45,6 +53,19 @@ TEST(IntegrationStep, TakesTheFitToWhereAnExactIntegrationHasIt) {
   EXPECT_NEAR(fit.parameters[0].value, 2, 4e-4);
   // Intervals rest on residuals of the exact integration, which that leaves: (4e-4 / 0.02)^2 of the coarse ones.
   EXPECT_LT(fit.data_squares, 4e-4 * Coarse(2).squaredNorm());
+}
+
+// The coarse optimum is 1 % low, a hundred times what the interval reaches.
+TEST(IntegrationStep, HasAProfileAboutTheOptimumOfAnExactIntegration) {
+  const FitResult fit =
+      Fitted([](const auto& p) -> Eigen::VectorXd { return Coarse(p[0]) + Ripple(); },
+             [](const auto& p) -> Eigen::VectorXd { return (p[0] - 2) * Input() + Ripple(); }, 100, {0});
+  ASSERT_EQ(fit.profiles.size(), 1U);
+  EXPECT_FALSE(fit.profiles[0].found_better);
+  EXPECT_LT(fit.profiles[0].lower_95, 2);
+  EXPECT_GT(fit.profiles[0].upper_95, 2);
+  EXPECT_NEAR(fit.profiles[0].upper_95 - fit.profiles[0].lower_95, 4 * fit.parameters[0].sd,
+              0.1 * fit.parameters[0].sd);
 }
 
 // Residuals that ask for 5 % more and are far worse there.

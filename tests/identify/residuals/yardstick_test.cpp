@@ -61,6 +61,18 @@ TEST(Yardstick, LeavesNoiseToTheLinearModelAndToRepeats) {
   EXPECT_NE(YardstickTable({repeated}).find("repeats, %"), std::string::npos);
 }
 
+// A load cell whose zero moves by its own deviation between two runs of a bench: half of the squared difference.
+TEST(Yardstick, CountsTheMeanOfRepeatsWhereItIsCompared) {
+  YardstickRecord first = Station("first", 1, 1);
+  YardstickRecord again = Station("again", 1, 3);
+  Eigen::VectorXd& values = again.channels.front().values;
+  values.array() += std::sqrt((values.array() - values.mean()).square().mean());
+  const double floor = 100 * kNoise * kNoise;
+  EXPECT_NEAR(*Judged({first}, again, 1).yardstick.repeat_nmse_percent, floor, 0.04 * floor);
+  first.has_means = again.has_means = true;
+  EXPECT_NEAR(*Judged({first}, again, 1).yardstick.repeat_nmse_percent, 50 + floor, 1);
+}
+
 // The other way round: four times its variance are no measure of what the data allow.
 TEST(Yardstick, SaysNothingByALinearModelThatIsWorseThanAConstant) {
   YardstickRecord turned = Station("turned", 2, 2);

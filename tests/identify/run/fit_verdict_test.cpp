@@ -83,7 +83,7 @@ TEST(FitVerdict, NamesParametersThatEndedWhereNoneWasExpected) {
   for (const std::size_t i : {0U, 1U, 2U}) fit.parameters[i].at_bound = true;
   const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
   EXPECT_THAT(conclusions, Reports(kEndedAtBounds, 0, {"F_gas (upper), m (lower)"}));
-  EXPECT_THAT(conclusions, Reports(kFarFromPrior, 0, {"m is 23 standard deviations"}));
+  EXPECT_THAT(conclusions, Reports(kFarFromPrior, 0, {"m by -23 standard deviations"}));
   EXPECT_THAT(conclusions, testing::Not(Reports(kFarFromPrior, 0, {"m_axle"})));
 }
 

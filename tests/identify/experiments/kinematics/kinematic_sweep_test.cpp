@@ -179,6 +179,22 @@ TEST_F(KinematicSweepTest, TakesWordsBelowAnEmptyField) {
   EXPECT_TRUE(sweeps[1].load->is_opposed);
 }
 
+TEST(KinematicColumns, HaveTheNamesThatAreMeant) {
+  const TemporaryFolder folder;
+  const auto name = [&](const std::string& written) {
+    Diagnostics findings;
+    const auto table = ReadRecordedTable(folder.Write("table.csv", written + " [mm],x\n0,0\n1,1\n"), findings);
+    return KinematicColumns(table.value()).front().name;
+  };
+  EXPECT_EQ(name("Wheel Travel"), "travel");
+  EXPECT_EQ(name("Camber FL"), "camber_FL");
+  EXPECT_EQ(name("Toe angle - LEFT"), "toe_left");
+  EXPECT_EQ(name("camber_tyre_FL"), "camber_tyre_FL");
+  // Which of a table's forces loads the wheels, its motion says.
+  EXPECT_EQ(name("Lateral Force"), "Lateral Force");
+  EXPECT_EQ(name("Travel Sensor"), "travel_Sensor");
+}
+
 TEST(KinematicTables, HaveATravelOrALoadAndNoTimes) {
   const TemporaryFolder folder;
   const auto is_one = [&](const std::string& text) {
