@@ -95,11 +95,11 @@ class Tyre(ProgramTest):
 
     def test_twin_finds_both_coefficients(self):
         """Stepped sines in which the wheel leaves the post, with 1 % noise, from another start."""
-        case = ("twin", "quarter_car", progressive, None, "", set(), suggest.HARD)
+        hopping = ["--amplitude", "40mm", "--velocity", "1.2m/s", "--acceleration", "90m/s^2"]
         folder = self.folder
         held = {"q_tyre": "6/m", "kt": "180kN/m"}
         channels = suggest.record(FOURPOST, folder, progressive(suggest.vehicle_text("quarter_car")), "quarter_car",
-                                  random.Random(1), case[-1], held, 0)
+                                  random.Random(1), hopping, held, 0)
         self.write_car(lambda text: progressive(text, "1 1/m"))
         self.write("study.yaml", "vehicle: car.urdf\nrecordings:\n  - {file: heave.csv, posts: heave}\nchannels:\n" +
                    "".join(f"  {name}: {name}\n" for name in channels) + "band: [0.5 Hz, 18 Hz]\n"

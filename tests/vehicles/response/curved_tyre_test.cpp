@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/modes.h"
 #include "vehicles/description/gravity.h"
+#include "vehicles/response/balance_sensitivity.h"
 #include "vehicles/response/reduced_march.h"
 #include "vehicles/simulation/multibody_system.h"
 
@@ -178,6 +181,74 @@ TEST(CurvedTyre, WithoutProgressionIsTheTyreOfAConstantRate) {
   ASSERT_TRUE(curved.model.liftoffs.empty());
   // Both converge to HarmonicBalanceOptions::error, a tenth of what is accepted.
   ExpectAccepted(curved.Linearised(excitation).response, linear);
+}
+
+/// Both coefficients of a tyre by Gauss and Newton's method on responses with noise, from a stiffer start of little
+/// progression; with their standard deviations.
+struct Twin {
+  Eigen::Vector2d value;
+  Eigen::Vector2d sd;
+};
+
+Twin FitTwin(const FrequencyResponse& measured, const Excitation& excitation, double noise) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  MakeProgressive(vehicle, 1);
+  const CondensedVehicle condensed(vehicle);
+  const std::vector<std::size_t> free = {vehicle.IndexOf("kt").value(), vehicle.IndexOf("q_tyre").value()};
+  std::vector<double> values = vehicle.ParameterValues();
+  Eigen::Matrix2d normal;
+  for (int step = 0; step < 15; ++step) {
+    const ResponseSensitivity now = SolveBalanceSensitivity(condensed, values, free, excitation);
+    EXPECT_THAT(now.periodic.unconverged_Hz, IsEmpty());
+    normal.setZero();
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    for (std::size_t c = 0; c < measured.channels.size(); ++c)
+      for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+        const std::complex<double> seen = measured.channels[c].response[i];
+        const double weight = 1 / std::norm(noise * std::abs(seen));
+        Eigen::Vector2cd slope;
+        for (std::size_t p = 0; p < 2; ++p)
+          slope[static_cast<Eigen::Index>(p)] = now.by_change[p].channels[c].response[i];
+        normal += weight * (slope.conjugate() * slope.transpose()).real();
+        right += weight * (slope.conjugate() * (seen - now.periodic.response.channels[c].response[i])).real();
+      }
+    const Eigen::Vector2d change = normal.llt().solve(right);
+    // The first steps from afar are too long.
+    const double share = step < 6 ? 0.5 : 1;
+    values[free[0]] = std::clamp(values[free[0]] + share * change[0], 100e3, 400e3);
+    values[free[1]] = std::clamp(values[free[1]] + share * change[1], 0.0, 30.0);
+  }
+  const Eigen::Matrix2d covariance = normal.inverse();
+  return {{values[free[0]], values[free[1]]}, covariance.diagonal().cwiseSqrt()};
+}
+
+// At one load: what tells them apart are motions in which the wheel leaves the post.
+TEST(CurvedTyre, TwinFindsBothCoefficients) {
+  constexpr double kNoise = 0.01;
+  Vehicle truth = ShippedVehicle("quarter_car");
+  Set(truth, "kt", 180e3);
+  MakeProgressive(truth, 6);
+  Excitation excitation{.shape = {1}};
+  for (double f = 0.8; f < 20; f *= 1.2) {
+    const double w = 2 * std::numbers::pi * f;
+    excitation.frequency_Hz.push_back(f);
+    excitation.amplitude_m.push_back(std::min({0.04, 1.2 / w, 90 / (w * w)}));
+  }
+  const FrequencyResponse clean = Prepared(truth).Linearised(excitation).response;
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<> draw(0, kNoise);
+    FrequencyResponse measured = clean;
+    for (ChannelResponse& channel : measured.channels)
+      for (std::complex<double>& response : channel.response)
+        response *= 1.0 + std::complex<double>(draw(engine), draw(engine));
+    const Twin twin = FitTwin(measured, excitation, kNoise);
+    EXPECT_NEAR(twin.value[0], 180e3, 4 * twin.sd[0]);
+    EXPECT_NEAR(twin.value[1], 6, 4 * twin.sd[1]);
+    EXPECT_LT(twin.sd[0], 0.02 * 180e3);
+    EXPECT_LT(twin.sd[1], 0.2 * 6);
+    RecordProperty("q_" + std::to_string(seed), std::to_string(twin.value[1]) + " +- " + std::to_string(twin.sd[1]));
+  }
 }
 
 }  // namespace
