@@ -151,7 +151,7 @@ void AddRepeats(const std::vector<YardstickRecord>& records, const YardstickReco
     const VectorXd* other = Find(record, channel);
     if (record.name == judged.name || !other || !AreRepeats(record, judged)) continue;
     const VectorXd apart = *other - values;
-    sum += (record.has_means ? apart : Centred(apart)).squaredNorm();
+    sum += record.has_means ? apart.squaredNorm() : Centred(apart).squaredNorm();
     ++count;
   }
   if (count > 0) yardstick.repeat_nmse_percent = 100 * sum / (2 * count) / Centred(values).squaredNorm();
