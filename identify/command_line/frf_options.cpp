@@ -10,7 +10,6 @@
 #include "analysis/signals/frequency_grid.h"
 #include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
-#include "identify/command_line/findings.h"
 #include "identify/command_line/post_option.h"
 #include "identify/command_line/unit_option.h"
 #include "vehicles/requests/option_quantity.h"
