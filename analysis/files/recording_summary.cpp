@@ -12,6 +12,7 @@
 #include "analysis/signals/drift.h"
 #include "analysis/signals/held_samples.h"
 #include "analysis/signals/median.h"
+#include "analysis/signals/release_search.h"
 #include "analysis/signals/signal_levels.h"
 #include "analysis/signals/slow_drift.h"
 #include "analysis/text/name_meaning.h"
@@ -200,20 +201,59 @@ void KeepDriftsOfSensors(std::vector<ColumnSummary>& columns) {
   }
 }
 
-/// Of records that fit into memory at once.
-void AddHeld(const RecordedTable& table, const std::vector<std::size_t>& of, std::vector<ColumnSummary>& columns) {
+/// Of records that fit into memory at once; else empty.
+std::vector<std::vector<double>> SignalsOf(const RecordedTable& table, const std::vector<std::size_t>& of,
+                                           const std::vector<ColumnSummary>& columns) {
   constexpr std::size_t kMost = 20'000'000;
   std::size_t samples = 0;
   for (const ColumnSummary& column : columns) samples += column.samples;
-  if (samples > kMost) return;
+  if (samples > kMost) return {};
   std::vector<std::vector<double>> signals;
   for (const std::size_t column : of) signals.push_back(Values(table, column));
+  return signals;
+}
+
+void AddHeld(const std::vector<std::vector<double>>& signals, std::vector<ColumnSummary>& columns) {
   const std::vector<std::vector<HeldSamples>> held = HeldStretches(signals);
   for (std::size_t i = 0; i < held.size(); ++i)
     for (const HeldSamples& one : held[i]) {
       if (columns[i].held == 0) columns[i].first_held = one.first;
       columns[i].held += one.last - one.first + 1;
     }
+}
+
+/// By channels of the rate that the column of times has.
+std::vector<ReleaseSamples> SearchReleases(const std::vector<std::vector<double>>& signals,
+                                           const RecordingSummary& summary, std::size_t samples) {
+  std::vector<std::span<const double>> moving;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    const std::optional<Dimension> dimension = DimensionOf(summary.columns[i]);
+    const bool is_motion = dimension == kLength || dimension == kAcceleration || dimension == kForce;
+    if (is_motion && signals[i].size() == samples) moving.emplace_back(signals[i]);
+  }
+  return ReleasesOf(moving, summary.time->rate_Hz);
+}
+
+/// What is let go drifts only as its rests do. `times_s`: of each sample.
+void AddReleases(const std::vector<std::vector<double>>& signals, const std::vector<double>& times_s,
+                 RecordingSummary& summary) {
+  const std::vector<ReleaseSamples> found = SearchReleases(signals, summary, times_s.size());
+  if (found.empty()) return;
+  std::size_t resting = 0;
+  for (const ReleaseSamples& one : found) {
+    resting += one.let_go - one.rest_from + one.end - one.rest;
+    summary.releases.push_back({times_s[one.rest_from], times_s[one.let_go], times_s[one.rest], times_s[one.end - 1]});
+  }
+  // A slope over less says nothing of the whole.
+  const bool is_enough = 4 * resting > times_s.size();
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ColumnSummary& column = summary.columns[i];
+    if (signals[i].size() != times_s.size() || column.missing == column.samples) continue;
+    for (const ReleaseSamples& one : found) column.above_rest.push_back(StepOf(signals[i], one));
+    if (!is_enough) continue;
+    column.drift = DriftAtRest(signals[i], found);
+    column.slow_drift.reset();
+  }
 }
 
 }  // namespace
@@ -234,8 +274,7 @@ RecordingSummary Summarise(const RecordedTable& table, StatedUnits units) {
   // Across a gap nobody knows whether it rests.
   std::vector<double> times_s;
   if (summary.time && !summary.time->gaps.empty()) times_s = Times_s(table, units, *times);
-  const std::vector<std::size_t> breaks =
-      summary.time ? BreaksOf(times_s, *summary.time) : std::vector<std::size_t>();
+  const std::vector<std::size_t> breaks = summary.time ? BreaksOf(times_s, *summary.time) : std::vector<std::size_t>();
   std::vector<std::size_t> of;
   for (std::size_t column = 0; column < table.names().size(); ++column) {
     if (column == times || table.HoldsText(column)) continue;
@@ -243,8 +282,10 @@ RecordingSummary Summarise(const RecordedTable& table, StatedUnits units) {
     summary.columns.push_back(
         SummariseColumn(table, units, column, summary.time ? summary.time->rate_Hz : 0, breaks, rest));
   }
-  AddHeld(table, of, summary.columns);
+  const std::vector<std::vector<double>> signals = SignalsOf(table, of, summary.columns);
+  AddHeld(signals, summary.columns);
   KeepDriftsOfSensors(summary.columns);
+  if (summary.time) AddReleases(signals, Times_s(table, units, *times), summary);
   // Where all are at rest none is dead.
   const auto moves = [](const ColumnSummary& one) {
     return one.unit_known && one.level > 0 && one.rms > kMoving * one.level;

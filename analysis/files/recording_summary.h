@@ -39,8 +39,10 @@ struct ColumnSummary {
   /// See ClippedAtTop and ClippedAtBottom; 0 below kFewestClipped in all.
   std::size_t clipped_top = 0;
   std::size_t clipped_bottom = 0;
-  /// By which its straight line rises over the record.
+  /// By which its straight line rises over the record; of one with releases by its slope at rest, see DriftAtRest().
   double drift = 0;
+  /// Of each release by how much it stood above its rest before; 0 within its noise, or without a rest before.
+  std::vector<double> above_rest = {};
   /// What of it is beside the channel's motion, see SlowDrift(); nothing where the vehicle may have moved so: of a
   /// displacement where another one drifts as well, none does not, or its name may be a post's, and of a force or an
   /// acceleration where any displacement does.
@@ -74,6 +76,16 @@ struct TimeSummary {
   bool is_guessed = false;
 };
 
+/// A vehicle that is let go, see ReleasesOf(); times of the record.
+struct RecordedRelease {
+  /// From where on it rests before; `let_go_s` where the record begins in motion.
+  double rest_from_s = 0;
+  double let_go_s = 0;
+  /// At rest again, and until when.
+  double rest_s = 0;
+  double end_s = 0;
+};
+
 struct RecordingSummary {
   /// Nothing without a column of times, or where they do not rise.
   std::optional<TimeSummary> time;
@@ -81,6 +93,8 @@ struct RecordingSummary {
   std::vector<ColumnSummary> columns;
   /// When nothing moves, without a gap, from the begin of the record.
   std::optional<RestTime> rest = {};
+  /// By all displacements, accelerations and forces.
+  std::vector<RecordedRelease> releases = {};
 };
 
 /// The column of the samples' times; empty where there is none.

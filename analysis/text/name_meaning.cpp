@@ -16,38 +16,57 @@ struct Corner {
 };
 
 const std::map<std::string, Corner, std::less<>> kCorners = {
-    {"fl", {1, 1}},   {"lf", {1, 1}},      {"vl", {1, 1}},    {"fr", {1, -1}},  {"rf", {1, -1}},   {"vr", {1, -1}},
-    {"rl", {-1, 1}},  {"lr", {-1, 1}},     {"hl", {-1, 1}},   {"rr", {-1, -1}}, {"hr", {-1, -1}},  {"front", {1, 0}},
-    {"frt", {1, 0}},  {"fore", {1, 0}},    {"vorne", {1, 0}}, {"vorn", {1, 0}}, {"rear", {-1, 0}}, {"back", {-1, 0}},
-    {"aft", {-1, 0}}, {"hinten", {-1, 0}}, {"left", {0, 1}},  {"lh", {0, 1}},   {"links", {0, 1}}, {"right", {0, -1}},
-    {"rh", {0, -1}},  {"rechts", {0, -1}}};
+    {"fl", {1, 1}},        {"lf", {1, 1}},          {"vl", {1, 1}},       {"fr", {1, -1}},       {"rf", {1, -1}},
+    {"vr", {1, -1}},       {"rl", {-1, 1}},         {"lr", {-1, 1}},      {"hl", {-1, 1}},       {"rr", {-1, -1}},
+    {"hr", {-1, -1}},      {"front", {1, 0}},       {"frt", {1, 0}},      {"fore", {1, 0}},      {"vorne", {1, 0}},
+    {"vorn", {1, 0}},      {"rear", {-1, 0}},       {"back", {-1, 0}},    {"aft", {-1, 0}},      {"hinten", {-1, 0}},
+    {"left", {0, 1}},      {"lh", {0, 1}},          {"links", {0, 1}},    {"right", {0, -1}},    {"rh", {0, -1}},
+    {"rechts", {0, -1}},   {"anteriore", {1, 0}},   {"ant", {1, 0}},      {"avant", {1, 0}},     {"delantero", {1, 0}},
+    {"delantera", {1, 0}}, {"posteriore", {-1, 0}}, {"arriere", {-1, 0}}, {"trasero", {-1, 0}},  {"trasera", {-1, 0}},
+    {"sinistro", {0, 1}},  {"sinistra", {0, 1}},    {"gauche", {0, 1}},   {"izquierdo", {0, 1}}, {"izquierda", {0, 1}},
+    {"izq", {0, 1}},       {"destro", {0, -1}},     {"destra", {0, -1}},  {"droite", {0, -1}},   {"droit", {0, -1}},
+    {"derecho", {0, -1}},  {"derecha", {0, -1}}};
 
 const std::map<std::string, std::string, std::less<>> kWords = {
-    {"chassis", "body"},    {"sprung", "body"},      {"frame", "body"},       {"cab", "body"},
-    {"aufbau", "body"},     {"top", "body"},         {"hub", "axle"},         {"unsprung", "axle"},
-    {"upright", "axle"},    {"knuckle", "axle"},     {"wheel", "axle"},       {"achse", "axle"},
-    {"rad", "axle"},        {"spindle", "axle"},     {"damper", "strut"},     {"shock", "strut"},
-    {"spring", "strut"},    {"susp", "strut"},       {"suspension", "strut"}, {"lvdt", "strut"},
-    {"defl", "strut"},      {"deflection", "strut"}, {"travel", "strut"},     {"pot", "strut"},
-    {"feder", "strut"},     {"tire", "tyre"},        {"load", "tyre"},        {"loadcell", "tyre"},
-    {"cell", "tyre"},       {"pan", "tyre"},         {"wheelpan", "tyre"},    {"fz", "tyre"},
-    {"contact", "tyre"},    {"radlast", "tyre"},     {"actuator", "post"},    {"act", "post"},
-    {"ram", "post"},        {"platform", "post"},    {"road", "post"},        {"ground", "post"},
-    {"exciter", "post"},    {"table", "post"},       {"stempel", "post"},     {"cog", "cg"},
-    {"centre", "cg"},       {"center", "cg"},        {"karo", "body"},        {"karosserie", "body"},
-    {"kar", "body"},        {"bdy", "body"},         {"chass", "body"},       {"fahrgestell", "body"},
-    {"radtraeger", "axle"}, {"whl", "axle"},         {"nabe", "axle"},        {"fw", "strut"},
-    {"federweg", "strut"},  {"daempfer", "strut"},   {"federbein", "strut"},  {"dmp", "strut"},
-    {"damp", "strut"},      {"spr", "strut"},        {"shk", "strut"},        {"reifen", "tyre"},
-    {"radkraft", "tyre"},   {"kmd", "tyre"},         {"lc", "tyre"},          {"zylinder", "post"},
-    {"zyl", "post"},        {"cylinder", "post"},    {"cyl", "post"},         {"hydropuls", "post"},
-    {"plattform", "post"},  {"plat", "post"}};
+    {"chassis", "body"},      {"sprung", "body"},       {"frame", "body"},        {"cab", "body"},
+    {"aufbau", "body"},       {"top", "body"},          {"hub", "axle"},          {"unsprung", "axle"},
+    {"upright", "axle"},      {"knuckle", "axle"},      {"wheel", "axle"},        {"achse", "axle"},
+    {"rad", "axle"},          {"spindle", "axle"},      {"damper", "strut"},      {"shock", "strut"},
+    {"spring", "strut"},      {"susp", "strut"},        {"suspension", "strut"},  {"lvdt", "strut"},
+    {"defl", "strut"},        {"deflection", "strut"},  {"travel", "strut"},      {"pot", "strut"},
+    {"feder", "strut"},       {"tire", "tyre"},         {"load", "tyre"},         {"loadcell", "tyre"},
+    {"cell", "tyre"},         {"pan", "tyre"},          {"wheelpan", "tyre"},     {"fz", "tyre"},
+    {"contact", "tyre"},      {"radlast", "tyre"},      {"actuator", "post"},     {"act", "post"},
+    {"ram", "post"},          {"platform", "post"},     {"road", "post"},         {"ground", "post"},
+    {"exciter", "post"},      {"table", "post"},        {"stempel", "post"},      {"cog", "cg"},
+    {"centre", "cg"},         {"center", "cg"},         {"karo", "body"},         {"karosserie", "body"},
+    {"kar", "body"},          {"bdy", "body"},          {"chass", "body"},        {"fahrgestell", "body"},
+    {"radtraeger", "axle"},   {"whl", "axle"},          {"nabe", "axle"},         {"fw", "strut"},
+    {"federweg", "strut"},    {"daempfer", "strut"},    {"federbein", "strut"},   {"dmp", "strut"},
+    {"damp", "strut"},        {"spr", "strut"},         {"shk", "strut"},         {"reifen", "tyre"},
+    {"radkraft", "tyre"},     {"kmd", "tyre"},          {"lc", "tyre"},           {"zylinder", "post"},
+    {"zyl", "post"},          {"cylinder", "post"},     {"cyl", "post"},          {"hydropuls", "post"},
+    {"plattform", "post"},    {"plat", "post"},         {"cassa", "body"},        {"scocca", "body"},
+    {"telaio", "body"},       {"carrozzeria", "body"},  {"mozzo", "axle"},        {"portamozzo", "axle"},
+    {"ruota", "axle"},        {"fusello", "axle"},      {"asse", "axle"},         {"ammortizzatore", "strut"},
+    {"molla", "strut"},       {"sospensione", "strut"}, {"carico", "tyre"},       {"pneumatico", "tyre"},
+    {"gomma", "tyre"},        {"attuatore", "post"},    {"pistone", "post"},      {"martinetto", "post"},
+    {"cilindro", "post"},     {"pedana", "post"},       {"caisse", "body"},       {"carrosserie", "body"},
+    {"moyeu", "axle"},        {"roue", "axle"},         {"essieu", "axle"},       {"fusee", "axle"},
+    {"amortisseur", "strut"}, {"ressort", "strut"},     {"debattement", "strut"}, {"charge", "tyre"},
+    {"pneu", "tyre"},         {"verin", "post"},        {"actionneur", "post"},   {"carroceria", "body"},
+    {"chasis", "body"},       {"bastidor", "body"},     {"rueda", "axle"},        {"buje", "axle"},
+    {"cubo", "axle"},         {"mangueta", "axle"},     {"eje", "axle"},          {"amortiguador", "strut"},
+    {"muelle", "strut"},      {"resorte", "strut"},     {"recorrido", "strut"},   {"carga", "tyre"},
+    {"neumatico", "tyre"},    {"actuador", "post"}};
 
 /// What a unit says as well, and what says nothing.
-constexpr std::array<std::string_view, 25> kQuantities = {
-    "a",     "acc",          "accel",  "acceleration",   "s",      "z",     "x",  "y",       "f",      "force",
-    "disp",  "displacement", "pos",    "position",       "height", "level", "ch", "channel", "sensor", "static",
-    "kraft", "weg",          "beschl", "beschleunigung", "signal"};
+constexpr std::array<std::string_view, 40> kQuantities = {
+    "a",      "acc",      "accel",         "acceleration", "s",     "z",           "x",           "y",
+    "f",      "force",    "disp",          "displacement", "pos",   "position",    "height",      "level",
+    "ch",     "channel",  "sensor",        "static",       "kraft", "weg",         "beschl",      "beschleunigung",
+    "signal", "forza",    "fuerza",        "effort",       "corsa", "course",      "carrera",     "posizione",
+    "spost",  "posicion", "accelerazione", "deplacement",  "acel",  "aceleracion", "spostamento", "segnale"};
 
 bool IsQuantity(std::string_view word) {
   return std::find(kQuantities.begin(), kQuantities.end(), word) != kQuantities.end();
@@ -56,6 +75,28 @@ bool IsQuantity(std::string_view word) {
 bool IsSmall(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool IsCapital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Letters of UTF-8 up to U+00FF as ASCII has them, umlauts as two: "Dämpfer" is "Daempfer", "vérin" is "verin".
+std::string WithoutAccents(std::string_view name) {
+  // From U+00C0 to U+00DF, and their small letters from U+00E0 on.
+  constexpr std::array<std::string_view, 32> kPlain = {"A",  "A", "A", "A", "AE", "A", "AE", "C", "E", "E", "E",
+                                                       "E",  "I", "I", "I", "I",  "D", "N",  "O", "O", "O", "O",
+                                                       "OE", "",  "O", "U", "U",  "U", "UE", "Y", "",  "SS"};
+  constexpr unsigned kLead = 0xC3;
+  constexpr unsigned kSmall = 0xA0;
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const unsigned next = i + 1 < name.size() ? static_cast<unsigned char>(name[i + 1]) : 0;
+    if (static_cast<unsigned char>(name[i]) != kLead || next < 0x80 || next > 0xBF) {
+      plain += name[i];
+      continue;
+    }
+    const std::string_view letter = kPlain[(next - 0x80) % kPlain.size()];
+    for (const char c : letter) plain += next >= kSmall ? static_cast<char>(std::tolower(c)) : c;
+    ++i;
+  }
+  return plain;
+}
 
 /// The corner at the end of "zfl" and "accrr", which goes from the word then.
 std::optional<Corner> CornerBehind(std::string& word) {
@@ -76,15 +117,17 @@ struct Siblings {
   std::array<const char*, 2> unless;
 };
 
-const std::array<Siblings, 9> kSiblings = {{{"f", "r", {1, 0}, {-1, 0}, {"l", ""}},
-                                            {"v", "h", {1, 0}, {-1, 0}, {"l", ""}},
-                                            {"l", "r", {0, 1}, {0, -1}, {"f", "v"}},
-                                            {"li", "re", {0, 1}, {0, -1}, {"fr", ""}},
-                                            {"fr", "re", {1, 0}, {-1, 0}, {"li", "fl"}},
-                                            {"vo", "hi", {1, 0}, {-1, 0}, {"", ""}},
-                                            {"va", "ha", {1, 0}, {-1, 0}, {"", ""}},
-                                            {"fa", "ra", {1, 0}, {-1, 0}, {"", ""}},
-                                            {"f", "b", {1, 0}, {-1, 0}, {"r", "l"}}}};
+const std::array<Siblings, 11> kSiblings = {{{"f", "r", {1, 0}, {-1, 0}, {"l", ""}},
+                                             {"v", "h", {1, 0}, {-1, 0}, {"l", ""}},
+                                             {"l", "r", {0, 1}, {0, -1}, {"f", "v"}},
+                                             {"li", "re", {0, 1}, {0, -1}, {"fr", ""}},
+                                             {"fr", "re", {1, 0}, {-1, 0}, {"li", "fl"}},
+                                             {"vo", "hi", {1, 0}, {-1, 0}, {"", ""}},
+                                             {"va", "ha", {1, 0}, {-1, 0}, {"", ""}},
+                                             {"fa", "ra", {1, 0}, {-1, 0}, {"", ""}},
+                                             {"f", "b", {1, 0}, {-1, 0}, {"r", "l"}},
+                                             {"sx", "dx", {0, 1}, {0, -1}, {"", ""}},
+                                             {"av", "ar", {1, 0}, {-1, 0}, {"", ""}}}};
 
 /// What a word means beside the other words that names of its kind have in its place.
 std::optional<Corner> CornerAmong(const std::string& word, const std::set<std::string>& kin) {
@@ -142,7 +185,7 @@ NameMeaning MeaningOfWords(const std::vector<std::string>& words, const Places& 
 std::vector<std::string> WordsOf(std::string_view name) {
   std::vector<std::string> words(1);
   char last = ' ';
-  for (const char c : name) {
+  for (const char c : WithoutAccents(name)) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
     const bool begins = !is_word || (IsCapital(c) && IsSmall(last)) || (IsDigit(c) != IsDigit(last));
     if (begins && !words.back().empty()) words.emplace_back();

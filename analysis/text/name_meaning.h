@@ -20,7 +20,8 @@ struct NameMeaning {
   int left = 0;
 };
 
-/// Of names such as "F_tyre_FL", "Damper Pot LF", "accHubRR", "zfl" and "Radlast_VL" (German corners and words, too).
+/// Of names such as "F_tyre_FL", "Damper Pot LF", "accHubRR", "zfl" and "Radlast_VL" (German corners and words, too;
+/// words of Italian, French and Spanish, with or without accents).
 NameMeaning MeaningOf(std::string_view name);
 
 /// Of the names of one recording or one vehicle. What stands for a place only beside others of its kind is read by

@@ -27,6 +27,8 @@ struct InitCommand {
   std::filesystem::path vehicle;
   /// Units of channels in place of what the files have; and what is wrong with the options.
   std::vector<StatedUnit> units;
+  /// Channels of posts, in place of what names say.
+  std::vector<PostChannel> posts;
   Diagnostics faults;
   /// "front=macpherson"; empty: no vehicle is made of hard points.
   std::vector<std::string> suspension;

@@ -10,7 +10,7 @@
 #include "analysis/signals/frequency_grid.h"
 #include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
-#include "identify/command_line/findings.h"
+#include "identify/command_line/post_option.h"
 #include "identify/command_line/unit_option.h"
 #include "vehicles/requests/option_quantity.h"
 
@@ -24,13 +24,6 @@ std::optional<ExcitationKind> KindNamed(const std::string& text) {
   for (std::size_t kind = 0; kind + 1 < kKinds.size(); ++kind)
     if (text == kKinds[kind]) return static_cast<ExcitationKind>(kind);
   return std::nullopt;
-}
-
-void AddPost(const std::string& text, FrfCommand& command) {
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
-    command.faults.Report(kPostChannelMalformed, Place::Option("--post"), {text});
-  else command.request.posts.push_back({text.substr(0, sign), text.substr(sign + 1)});
 }
 
 /// "pots.csv", "pots.csv=3ms", "run=2.csv", "run=2.csv=3ms": what follows the last sign is a delay if it is a time, or
@@ -89,16 +82,9 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
       .add_option("FILE", command.request.files,
                   "Time histories of one motion, with names and units (text, MAT, RPC III, UFF, TDMS, MDF, LVM, HDF5)")
       ->required();
-  subcommand
-      .add_option_function<std::vector<std::string>>(
-          "--post",
-          [&command](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) AddPost(text, command);
-          },
-          "Channel of a post's displacement and the post's name, CHANNEL=FL; once for each post (default: channels "
-          "named post_FL, FL and the like, or with words that mean a post, as 'Zyl VL' and 'actuator rear')")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  AddPostOption(
+      subcommand, command.request.posts, command.faults,
+      "channels named post_FL, FL and the like, or with words that mean a post, as 'Zyl VL' and 'actuator rear'");
   AddUnitOption(subcommand, command.request.preparation.units, command.faults);
   subcommand
       .add_option_function<std::vector<std::string>>(

@@ -12,6 +12,7 @@
 #include "identify/command_line/findings.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/work_progress.h"
 #include "identify/draft/study_draft.h"
 #include "identify/inspection/file_kind.h"
 #include "identify/study_file/channel_source_text.h"
@@ -60,6 +61,7 @@ std::string WordsFor(ChannelMatch::By by) {
     case ChannelMatch::By::kPlace: return "place";
     case ChannelMatch::By::kKind: return "kind";
     case ChannelMatch::By::kMotion: return "motion";
+    case ChannelMatch::By::kLast: return "last";
   }
   return "";
 }
@@ -142,7 +144,10 @@ int RunInitFrom(const InitCommand& command) {
   const std::optional<Vehicle> vehicle = ReadVehicle(command.vehicle, findings);
   if (files.empty() && !findings.HasErrors()) findings.Report(kNothingToDraftFrom, {command.from.front().string()});
   if (!vehicle || findings.HasErrors()) throw FaultyInput(findings);
-  const StudyDraft draft = DraftStudy(files, *vehicle, study, command.units);
+  WorkProgress progress;
+  const StudyDraft draft =
+      DraftStudy(files, *vehicle, study, {.units = command.units, .posts = command.posts}, progress.Hooks());
+  progress.End();
   const bool is_any_used =
       std::any_of(draft.files.begin(), draft.files.end(), [](const DraftedFile& file) { return file.is_used; });
   for (const DraftedFile& file : draft.files)

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "identify/command_line/options.h"
+#include "identify/command_line/post_option.h"
 #include "identify/command_line/unit_option.h"
 #include "vehicles/templates/suspension_kind.h"
 
@@ -25,6 +26,7 @@ CLI::Option* AddDraft(CLI::App& app, InitCommand& command) {
   from->needs(vehicle);
   vehicle->needs(from);
   AddUnitOption(app, command.units, command.faults)->needs(from);
+  AddPostOption(app, command.posts, command.faults, "channels whose names mean a post, as of frf")->needs(from);
   return from;
 }
 

@@ -146,7 +146,7 @@ class Kin {
       : sought_(sought), meanings_(meanings), candidates_(candidates), correlation_(correlation) {}
 
   /// `pairs`: of each sought the place of its candidate.
-  void Add(std::vector<std::optional<std::size_t>> pairs, std::vector<std::optional<ChannelMatch>>& found) const {
+  void Add(std::vector<std::optional<std::size_t>>& pairs, std::vector<std::optional<ChannelMatch>>& found) const {
     for (std::size_t s = 0; s < sought_.size(); ++s)
       for (std::size_t c = 0; c < candidates_.size() && !pairs[s]; ++c) {
         const bool is_taken = std::find(pairs.begin(), pairs.end(), c) != pairs.end();
@@ -174,6 +174,33 @@ class Kin {
   const std::vector<Candidate>& candidates_;
   const CorrelationOf& correlation_;
 };
+
+/// The last channel of a dimension, where one thing is left that it may be, if it moves about as that does.
+void AddLast(const std::vector<SoughtChannel>& sought, const std::vector<NameMeaning>& meanings,
+             const std::vector<Candidate>& candidates, const CorrelationOf& correlation,
+             std::vector<std::optional<std::size_t>>& pairs, std::vector<std::optional<ChannelMatch>>& found) {
+  constexpr double kAbout = 0.5;
+  const auto is_left = [&](std::size_t c) { return std::find(pairs.begin(), pairs.end(), c) == pairs.end(); };
+  for (std::size_t s = 0; s < sought.size(); ++s) {
+    if (pairs[s]) continue;
+    std::size_t others = 0;
+    for (std::size_t other = 0; other < sought.size(); ++other)
+      if (other != s && !pairs[other] && sought[other].dimension == sought[s].dimension) ++others;
+    std::vector<std::size_t> left;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (is_left(c) && candidates[c].dimension == sought[s].dimension) left.push_back(c);
+    if (others > 0 || left.size() != 1) continue;
+    const Candidate& last = candidates[left.front()];
+    if (!MayBe(sought[s], meanings[s], last) || NameOtherParts(meanings[s], last.meaning)) continue;
+    if (Likeness(meanings[s], last.meaning) < 0) continue;
+    const Pairing pairing{
+        .sought = s, .candidate = left.front(), .correlation = MeanCorrelation(sought[s].name, last, correlation)};
+    if (std::abs(pairing.correlation.value_or(0)) < kAbout) continue;
+    found[s] = MatchOf(pairing, sought[s], last);
+    found[s]->by = ChannelMatch::By::kLast;
+    pairs[s] = left.front();
+  }
+}
 
 }  // namespace
 
@@ -206,6 +233,7 @@ std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought
     found[best.sought] = std::move(match);
   }
   Kin(sought, meanings, candidates, correlation).Add(pairs, found);
+  AddLast(sought, meanings, candidates, correlation, pairs, found);
   std::vector<ChannelMatch> matches;
   for (std::optional<ChannelMatch>& match : found)
     if (match) matches.push_back(*std::move(match));

@@ -20,8 +20,9 @@ struct OfferedChannel {
 /// What a sensor, a post or a tyre of the vehicle is measured by.
 struct ChannelMatch {
   /// By its kind: named like another whose place alone differs, which was matched to such a one. By its place: of a
-  /// post, a displacement whose name says no more.
-  enum class By { kName, kLikeName, kPlace, kKind, kMotion };
+  /// post, a displacement whose name says no more. As the last: no other channel and nothing else of its dimension was
+  /// left, and it moves about so.
+  enum class By { kName, kLikeName, kPlace, kKind, kMotion, kLast };
 
   std::string name;
   ChannelSource source;

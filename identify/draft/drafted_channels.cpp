@@ -76,6 +76,7 @@ std::string DoubtOf(const ChannelMatch& match) {
   if (match.by == ChannelMatch::By::kMotion) add("by its motion alone");
   if (match.by == ChannelMatch::By::kPlace) add("by its place alone, for its name does not say post");
   if (match.by == ChannelMatch::By::kKind) add("as the last channel of its kind that was left");
+  if (match.by == ChannelMatch::By::kLast) add("as the last that was left to be measured so");
   const bool is_named = match.by == ChannelMatch::By::kName || match.by == ChannelMatch::By::kLikeName;
   if (match.source.channels.front().factor < 0) add("moves against the vehicle, so its sign is turned");
   else if (is_named && match.rival.empty()) add("moves otherwise than the vehicle");

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "analysis/files/recorded_unit.h"
+#include "analysis/signals/motionless.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
@@ -57,6 +60,39 @@ double LongestGap(const RecordedTable& table, const RecordingSummary& summary, s
 /// In SI, which `noise` of a study takes; g may be read as grams there.
 std::string UnitOfNoise(const Dimension& dimension) { return dimension == kLength ? "mm" : SiUnit(dimension); }
 
+/// Of a grid, 50 or 60 Hz, or a harmonic of it that a line is at; lines are known to half a step of their spectrum.
+std::optional<int> MainsOf(const SensorNoise& noise) {
+  constexpr double kNear_Hz = 1.5;
+  constexpr double kHighest = 10;
+  for (const int mains_Hz : {50, 60}) {
+    const double order = std::round(noise.line_Hz.value_or(0) / mains_Hz);
+    if (order >= 1 && order <= kHighest && std::abs(*noise.line_Hz - order * mains_Hz) < kNear_Hz) return mains_Hz;
+  }
+  return std::nullopt;
+}
+
+/// In the channels of a recording that were matched.
+std::set<int> HumOf(const DraftedPreparation& preparation, const std::vector<ChannelMatch>& matches) {
+  std::set<int> mains_Hz;
+  for (const ChannelMatch& match : matches)
+    for (const SourceChannel& channel : match.source.channels)
+      if (const ColumnSummary* const column = preparation.Find(channel.name); column != nullptr && column->noise)
+        if (const std::optional<int> one = MainsOf(*column->noise)) mains_Hz.insert(*one);
+  return mains_Hz;
+}
+
+/// White but for hum, which may be too weak in a channel for a line: a vehicle that moves would do so below it.
+bool IsOfRest(const SensorNoise& noise, const std::set<int>& hum_Hz) {
+  return noise.is_white || MainsOf(noise) || (!hum_Hz.empty() && noise.below_Hz > *hum_Hz.rbegin());
+}
+
+/// "; hum of 50 Hz"
+std::string HumText(const std::set<int>& mains_Hz) {
+  std::string text;
+  for (const int one_Hz : mains_Hz) text += (text.empty() ? "; hum of " : " and ") + std::to_string(one_Hz) + " Hz";
+  return text;
+}
+
 }  // namespace
 
 const ColumnSummary* DraftedPreparation::Find(const std::string& channel) const {
@@ -98,6 +134,18 @@ void RemoveDrifts(const DraftedPreparation& preparation, ChannelMatch& match) {
       channel.has_trend = true;
 }
 
+bool IsMotionless(const DraftedPreparation& preparation, const ChannelSource& source) {
+  const auto is_still = [&](const SourceChannel& channel) {
+    const ColumnSummary* const found = preparation.Find(channel.name);
+    if (found == nullptr) return false;
+    double largest = 0;
+    for (const ColumnSummary& other : preparation.summary.columns)
+      if (other.unit == found->unit) largest = std::max(largest, other.rms);
+    return found->rms < kMotionlessShare * largest;
+  };
+  return std::all_of(source.channels.begin(), source.channels.end(), is_still);
+}
+
 std::string TimesLines(const DraftedPreparation& preparation, const std::vector<std::string>& others) {
   std::string lines;
   const std::optional<TimeSummary>& time = preparation.summary.time;
@@ -126,9 +174,10 @@ std::string TimesLines(const DraftedPreparation& preparation, const std::vector<
 std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<ChannelMatch>& matches) {
   if (!preparation.summary.rest) return "";
   std::string lines;
+  const std::set<int> hum_Hz = HumOf(preparation, matches);
   for (const ChannelMatch& match : matches) {
     double sum = 0;
-    bool is_white = true;
+    bool is_of_rest = true;
     std::optional<Unit> unit;
     for (const SourceChannel& channel : match.source.channels) {
       const ColumnSummary* const column = preparation.Find(channel.name);
@@ -138,19 +187,19 @@ std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<
         break;
       }
       sum += std::pow(column->noise->sd * unit->si * channel.factor, 2);
-      is_white = is_white && column->noise->is_white;
+      is_of_rest = is_of_rest && IsOfRest(*column->noise, hum_Hz);
     }
     if (!(sum > 0)) continue;
     const bool is_mean = match.source.combine == ChannelSource::Combine::kMean;
     const std::string name = UnitOfNoise(unit->dimension);
     const double sd = std::sqrt(sum) / (is_mean ? static_cast<double>(match.source.channels.size()) : 1.0);
     lines += "      " + match.name + ": " + ShortNumber(sd / ParseUnit(name)->si, 3) + " " + name +
-             (is_white ? "\n" : "  # look at: not white, was the vehicle at rest?\n");
+             (is_of_rest ? "\n" : "  # look at: not white, was the vehicle at rest?\n");
   }
   if (lines.empty()) return "";
   const RestTime& rest = *preparation.summary.rest;
   return "    noise:  # standard deviations at rest, from " + Rounded(rest.from_s, 3) + " to " + Rounded(rest.to_s, 3) +
-         " s after the first sample\n" + lines;
+         " s after the first sample" + HumText(hum_Hz) + "\n" + lines;
 }
 
 }  // namespace fourpost

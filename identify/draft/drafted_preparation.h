@@ -40,10 +40,14 @@ bool Drifts(const ColumnSummary& column);
 /// Takes the drifts of its channels away.
 void RemoveDrifts(const DraftedPreparation& preparation, ChannelMatch& match);
 
+/// Of channels that are known there: all of them, each beside the largest of its unit.
+bool IsMotionless(const DraftedPreparation& preparation, const ChannelSource& source);
+
 /// Lines `time`, `resample`, `bridge` and `with` of an entry of a study; `others`: files as the study names them.
 std::string TimesLines(const DraftedPreparation& preparation, const std::vector<std::string>& others);
 
-/// Lines of `noise` by the names of sensors: what the channels read at rest. Empty where nothing is known.
+/// Lines of `noise` by the names of sensors: what the channels read at rest. Mains hum is said once;
+/// other noise that is not white is to be looked at. Empty where nothing is known.
 std::string NoiseLines(const DraftedPreparation& preparation, const std::vector<ChannelMatch>& matches);
 
 }  // namespace fourpost

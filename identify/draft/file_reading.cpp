@@ -12,11 +12,11 @@
 #include "analysis/files/static_loads.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/measured_response/measured_response.h"
-#include "analysis/measured_response/posts_by_name.h"
 #include "analysis/text/name_meaning.h"
 #include "analysis/text/named.h"
 #include "analysis/text/text_table.h"
 #include "identify/draft/gapless_stretch.h"
+#include "identify/draft/post_match.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/bench/recording_check.h"
 #include "vehicles/description/post_pattern.h"
@@ -70,89 +70,6 @@ void ReadLoads(FileReading& reading) {
   }
   reading.kind = FileReading::Kind::kLoads;
   for (const StaticMeasurement& load : *loads) reading.channels.push_back({load.name, load.dimension});
-}
-
-/// Channels of commands, beside those of how the posts moved.
-void LeaveOutCommands(FileReading& reading) {
-  std::vector<std::string> lengths;
-  for (const OfferedChannel& channel : reading.channels)
-    if (channel.dimension == kLength) lengths.push_back(channel.name);
-  const std::vector<std::string> commands = PostsByName(lengths).commands;
-  if (commands.empty()) return;
-  std::string names;
-  for (const std::string& command : commands) {
-    names += (names.empty() ? "" : ", ") + command;
-    std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == command; });
-  }
-  reading.missed.push_back("commands of posts are left out, beside channels of how these moved: " + names);
-}
-
-/// Posts by what names say; of one post the only channel that is named as one.
-void MatchPosts(const Vehicle& vehicle, FileReading& reading) {
-  LeaveOutCommands(reading);
-  reading.posts = MatchChannels(SoughtPosts(vehicle), reading.channels, HasSides(vehicle));
-  if (reading.posts.empty() && vehicle.posts.size() == 1) {
-    const auto is_post = [](const OfferedChannel& channel) {
-      return channel.dimension == kLength && MeaningOf(channel.name).words.contains("post");
-    };
-    const auto found = std::find_if(reading.channels.begin(), reading.channels.end(), is_post);
-    if (found != reading.channels.end())
-      reading.posts.push_back({.name = "post_" + vehicle.posts.front().name,
-                               .source = {.channels = {SourceChannel(found->name)}},
-                               .by = ChannelMatch::By::kLikeName,
-                               .correlation = {},
-                               .rival = {}});
-  }
-  for (ChannelMatch& post : reading.posts) {
-    post.name = post.name.substr(std::string("post_").size());
-    for (const SourceChannel& source : post.source.channels)
-      std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == source.name; });
-  }
-}
-
-/// A displacement beside those of posts that is nearly called as one, and what it is nearly called.
-std::pair<std::string, std::string> MisspeltPost(const FileReading& reading) {
-  std::vector<std::string> posts;
-  for (const ChannelMatch& post : reading.posts)
-    for (const SourceChannel& channel : post.source.channels) posts.push_back(channel.name);
-  for (const OfferedChannel& channel : reading.channels) {
-    std::string meant = channel.dimension == kLength ? NearlyPost(channel.name, posts) : "";
-    if (!meant.empty()) return {channel.name, std::move(meant)};
-  }
-  return {};
-}
-
-/// Channels that are of no use as the file has no unit for them, and how to state one; empty: there are none.
-std::string WithoutUnit(const FileReading& reading) {
-  std::string names;
-  std::string example;
-  for (const auto& [name, unit] : reading.unread) {
-    if (!unit.empty()) continue;
-    names += (names.empty() ? "" : ", ") + name;
-    if (example.empty()) example = name;
-  }
-  return names.empty() ? "" : "; without a unit: " + names + ", which --unit states, as --unit " + example + "=mm";
-}
-
-/// Which posts have no channel, and how a channel is called so that it is found.
-std::string PostsMissing(const Vehicle& vehicle, const FileReading& reading) {
-  std::string missing;
-  std::string example;
-  for (const Post& post : vehicle.posts) {
-    const bool is_found = std::any_of(reading.posts.begin(), reading.posts.end(),
-                                      [&](const ChannelMatch& match) { return match.name == post.name; });
-    if (is_found) continue;
-    missing += (missing.empty() ? "'" : ", '") + post.name + "'";
-    if (example.empty()) example = post.name;
-  }
-  std::string offered;
-  for (const OfferedChannel& channel : reading.channels)
-    if (channel.dimension == kLength) offered += (offered.empty() ? "" : ", ") + channel.name;
-  const auto& [misspelt, meant] = reading.misspelt_post;
-  return "no channel found for post " + missing + ": call its displacement post_" + example + " or the like (" +
-         "\"Actuator " + example + "\", \"Stempel " + example +
-         "\"; F, R, FL, VL and so on for places); displacements here: " + (offered.empty() ? "none" : offered) +
-         (misspelt.empty() ? "" : "; '" + misspelt + "' is nearly '" + meant + "'") + WithoutUnit(reading);
 }
 
 /// Of each post of the vehicle: the mean of its channels.
@@ -292,7 +209,8 @@ void TakeLongestStretch(const RecordedTable& table, FileReading& reading, RigPre
                            Rounded(1e3 * kLongestBridge_s, 2) + " ms");
 }
 
-void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
+void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, const std::vector<PostChannel>& posts,
+                 FileReading& reading) {
   const std::string time = TimesColumn(table);
   if (time.empty()) {
     reading.reason = "no column of times";
@@ -311,7 +229,7 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
     else reading.reason = "no displacement and force of a damper" + WithoutUnit(reading);
     return;
   }
-  MatchPosts(vehicle, reading);
+  MatchPosts(vehicle, posts, reading);
   if (reading.posts.size() < vehicle.posts.size()) {
     reading.misspelt_post = MisspeltPost(reading);
     reading.reason = PostsMissing(vehicle, reading);
@@ -374,9 +292,9 @@ std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vec
   return std::nullopt;
 }
 
-FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle,
-                         const std::vector<StatedUnit>& units, const std::vector<std::filesystem::path>& beside) {
-  FileReading reading{.path = file, .units = units};
+FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle, const DraftStatements& stated,
+                         const std::vector<std::filesystem::path>& beside) {
+  FileReading reading{.path = file, .units = stated.units};
   for (const std::filesystem::path& other : beside) reading.preparation.times.others.push_back({.path = other});
   Diagnostics found;
   try {
@@ -385,13 +303,13 @@ FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehic
     if (!table) reading.reason = FirstError(found);
     else if (IsSteppedSine(*table)) ReadSines(vehicle, reading);
     else if (table->FindColumn("quantity") && table->FindColumn("value")) ReadLoads(reading);
-    else ReadHistory(*table, vehicle, reading);
+    else ReadHistory(*table, vehicle, stated.posts, reading);
   } catch (const FaultyInput& faulty) {
     reading.kind = FileReading::Kind::kUnread;
     reading.reason = FirstError(faulty.diagnostics());
   }
   for (std::vector<ChannelMatch>* matches : {&reading.posts, &reading.actuators})
-    for (ChannelMatch& match : *matches) StateUnits(units, match.source);
+    for (ChannelMatch& match : *matches) StateUnits(stated.units, match.source);
   return reading;
 }
 

@@ -9,6 +9,7 @@
 #include "analysis/measured_response/stated_unit.h"
 #include "analysis/signals/frequency_response.h"
 #include "identify/draft/channel_match.h"
+#include "identify/draft/draft_statements.h"
 #include "identify/draft/drafted_preparation.h"
 #include "identify/study_file/channel_source.h"
 #include "vehicles/description/vehicle.h"
@@ -60,8 +61,8 @@ struct FileReading {
 
 /// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.
 /// `beside`: files that were recorded at the same time, which it is read with.
-FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle,
-                         const std::vector<StatedUnit>& units, const std::vector<std::filesystem::path>& beside = {});
+FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle, const DraftStatements& stated,
+                         const std::vector<std::filesystem::path>& beside = {});
 
 /// Of channels whose units are stated, the study states them too.
 void StateUnits(const std::vector<StatedUnit>& units, ChannelSource& source);

@@ -6,14 +6,13 @@
 #include <map>
 #include <utility>
 
-#include "analysis/measured_response/findings.h"
-#include "analysis/signals/motionless.h"
 #include "analysis/text/named.h"
-#include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
 #include "identify/draft/bench_draft.h"
+#include "identify/draft/draft_statements.h"
+#include "identify/draft/drafted_release.h"
 #include "identify/draft/file_reading.h"
 #include "identify/draft/motion_evidence.h"
 #include "identify/experiments/subject.h"
@@ -66,20 +65,6 @@ std::string ChannelLines(const std::vector<ChannelMatch>& matches, const std::st
   return lines.empty() || !has_named ? lines : lines + indent + "others: by name\n";
 }
 
-/// Of channels that are known there: all of them, each beside the largest of its unit.
-bool IsMotionless(const RecordingSummary& summary, const ChannelSource& source) {
-  const auto is_still = [&](const SourceChannel& channel) {
-    const auto found = std::find_if(summary.columns.begin(), summary.columns.end(),
-                                    [&](const ColumnSummary& column) { return column.name == channel.name; });
-    if (found == summary.columns.end()) return false;
-    double largest = 0;
-    for (const ColumnSummary& other : summary.columns)
-      if (other.unit == found->unit) largest = std::max(largest, other.rms);
-    return found->rms < kMotionlessShare * largest;
-  };
-  return std::all_of(source.channels.begin(), source.channels.end(), is_still);
-}
-
 std::string Listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -89,14 +74,20 @@ std::string Listed(const std::vector<std::string>& names) {
 class Drafter {
  public:
   Drafter(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study,
-          const std::vector<StatedUnit>& units)
-      : vehicle_(vehicle), study_(study), units_(units) {
-    for (const fs::path& file : files) readings_.push_back(ReadForDraft(file, vehicle, units));
+          const DraftStatements& stated, const WorkHooks& hooks)
+      : vehicle_(vehicle), study_(study), stated_(stated), hooks_(hooks) {
+    for (const fs::path& file : files) {
+      hooks_.Show("reading " + file.filename().string() + ", file " + std::to_string(readings_.size() + 1) + " of " +
+                  std::to_string(files.size()));
+      readings_.push_back(ReadForDraft(file, vehicle, stated));
+    }
     JoinFiles();
   }
 
   StudyDraft Draft() {
-    CheckUnits();
+    std::vector<std::string> columns;
+    for (const FileReading& one : readings_) columns.insert(columns.end(), one.columns.begin(), one.columns.end());
+    CheckStatements(stated_, vehicle_, columns);
     const std::vector<std::size_t> none;
     const Subject subject(vehicle_, none, study_);
     std::optional<CondensedModel> model;
@@ -130,7 +121,7 @@ class Drafter {
       lone.reason = "recorded beside " + readings_[partners.front()].path.filename().string();
     }
     for (const auto& [place, others] : beside) {
-      readings_[place] = ReadForDraft(readings_[place].path, vehicle_, units_, others);
+      readings_[place] = ReadForDraft(readings_[place].path, vehicle_, stated_, others);
       readings_[place].preparation.why_beside = "recorded over the same time; look at: whether on one clock";
     }
   }
@@ -180,8 +171,8 @@ class Drafter {
       drafted.matches = MatchChannels(sought, reading.channels, HasSides(vehicle_), correlation);
       for (ChannelMatch& match : drafted.matches) {
         RemoveDrifts(reading.preparation, match);
-        StateUnits(units_, match.source);
-        match.is_motionless = reading.kind == Kind::kHistory && IsMotionless(reading.preparation.summary, match.source);
+        StateUnits(stated_.units, match.source);
+        match.is_motionless = reading.kind == Kind::kHistory && IsMotionless(reading.preparation, match.source);
       }
       for (const SoughtChannel& one : sought)
         if (std::none_of(drafted.matches.begin(), drafted.matches.end(),
@@ -252,9 +243,6 @@ class Drafter {
 
   /// Where names do not say which channels the posts' are. `recordings` take one channel of each.
   static std::string PostLines(const FileReading& reading, const std::string& key, bool takes_several) {
-    if (reading.is_release)
-      return "    release: estimated  # look at: no post moves, and the vehicle comes to rest; set `start` to the "
-             "release\n";
     if (!reading.actuators.empty()) {
       std::string list;
       for (const ChannelMatch& actuator : reading.actuators)
@@ -277,19 +265,32 @@ class Drafter {
     for (std::size_t i = 0; i < readings_.size(); ++i) {
       if (readings_[i].kind != Kind::kHistory) continue;
       drafted_[i].use = "histories";
-      list += "  - file: " + Relative(readings_[i].path) + "\n" +
-              (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") + TimesOf(readings_[i]) +
-              PostLines(readings_[i], "    posts: ", true) + NoiseLines(readings_[i].preparation, drafted_[i].matches);
-      const bool is_shared = shared_ && AreSame(drafted_[i].matches, drafted_[*shared_].matches);
-      const std::string lines = ChannelLines(drafted_[i].matches, "      ");
-      if (is_shared || (lines.empty() && !has_channels_)) continue;
-      list += "    channels:\n" + (lines.empty() ? "      others: by name\n" : lines);
+      // A file may hold several drops.
+      const std::size_t releases = readings_[i].is_release ? readings_[i].preparation.summary.releases.size() : 0;
+      for (std::size_t number = 0; number < std::max<std::size_t>(1, releases); ++number)
+        list += HistoryEntry(i, number, releases > 1);
     }
     if (list.empty()) return;
     text_ +=
         "\n# State the low-pass that the rig sent all channels through, if there was one: filter: {order: 4, "
         "cutoff: 30 Hz}\nhistories:\n" +
         list;
+  }
+
+  std::string HistoryEntry(std::size_t i, std::size_t number, bool has_number) const {
+    const FileReading& reading = readings_[i];
+    const std::vector<ChannelMatch>& matches = drafted_[i].matches;
+    std::string entry = "  - file: " + Relative(reading.path) + "\n";
+    if (has_number)
+      entry += "    name: " + YamlText(reading.path.stem().string() + "_" + std::to_string(number + 1)) + "\n";
+    entry += (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") + TimesOf(reading) +
+             (reading.is_release ? ReleaseLines(reading.preparation, matches, number)
+                                 : PostLines(reading, "    posts: ", true)) +
+             NoiseLines(reading.preparation, matches);
+    const bool is_shared = shared_ && AreSame(matches, drafted_[*shared_].matches);
+    const std::string lines = ChannelLines(matches, "      ");
+    if (is_shared || (lines.empty() && !has_channels_)) return entry;
+    return entry + "    channels:\n" + (lines.empty() ? "      others: by name\n" : lines);
   }
 
   void AddLoads() {
@@ -318,18 +319,6 @@ class Drafter {
     text_ += bench.Text();
   }
 
-  /// Each names a channel of some file.
-  void CheckUnits() const {
-    std::vector<std::string> all;
-    for (const FileReading& reading : readings_) all.insert(all.end(), reading.columns.begin(), reading.columns.end());
-    Diagnostics findings;
-    for (const StatedUnit& stated : units_)
-      if (std::none_of(all.begin(), all.end(), [&](const std::string& name) { return stated.Names(name); }))
-        findings.Report(kResponseUnitOfNone, Place::Option("--unit"),
-                        {stated.channel, DidYouMeanOrAll(stated.channel, all)});
-    if (findings.HasErrors()) throw FaultyInput(findings);
-  }
-
   void Check(StudyDraft& draft) const {
     if (std::none_of(drafted_.begin(), drafted_.end(), [](const DraftedFile& file) {
           return file.use == "recordings" || file.use == "histories" || file.use == "bench";
@@ -337,6 +326,11 @@ class Drafter {
       return;
     const std::optional<LoadedStudy> loaded = LoadStudyText(draft.text, study_, draft.findings);
     if (!loaded) return;
+    // Of releases it takes some seconds each.
+    const bool has_release =
+        std::any_of(readings_.begin(), readings_.end(), [](const FileReading& reading) { return reading.is_release; });
+    if (has_release) hooks_.Note("checking the recordings: the start of each release is estimated, some seconds each");
+    else hooks_.Show("checking the recordings against the vehicle");
     try {
       CheckRecordings(*loaded, Severity::kWarning, draft.findings);
     } catch (const FaultyInput& fault) {
@@ -380,7 +374,8 @@ class Drafter {
 
   const Vehicle& vehicle_;
   fs::path study_;
-  const std::vector<StatedUnit>& units_;
+  const DraftStatements& stated_;
+  const WorkHooks& hooks_;
   std::vector<FileReading> readings_;
   std::vector<DraftedFile> drafted_;
   /// The file whose channels are those of the study.
@@ -392,8 +387,8 @@ class Drafter {
 }  // namespace
 
 StudyDraft DraftStudy(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study,
-                      const std::vector<StatedUnit>& units) {
-  return Drafter(files, vehicle, study, units).Draft();
+                      const DraftStatements& stated, const WorkHooks& hooks) {
+  return Drafter(files, vehicle, study, stated, hooks).Draft();
 }
 
 }  // namespace fourpost

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/measured_response/stated_unit.h"
+#include "analysis/process/work_hooks.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/draft/channel_match.h"
 #include "identify/draft/drafted_channels.h"
+#include "identify/draft/file_reading.h"
 #include "vehicles/description/vehicle.h"
 
 namespace fourpost {
@@ -45,9 +46,11 @@ struct StudyDraft {
 /// become `recordings`, other time histories `histories`, loads at rest `static_loads`. Posts and sensors are matched
 /// to channels by MatchChannels(), with the responses of the vehicle as its file has it; the draft is then checked as
 /// `fourpost info STUDY` does. `study`: where it will be written; paths are relative to its folder. Throws FaultyInput
-/// where the vehicle cannot be assembled. `units`: in place of what time histories have; also thrown where one
-/// names no channel.
+/// where the vehicle cannot be assembled. `stated`: in place of what time histories have; also thrown where one
+/// names no channel, or no post. `hooks`: shown which file is read, and the check, which takes seconds where a start
+/// has to be estimated.
 StudyDraft DraftStudy(const std::vector<std::filesystem::path>& files, const Vehicle& vehicle,
-                      const std::filesystem::path& study, const std::vector<StatedUnit>& units = {});
+                      const std::filesystem::path& study, const DraftStatements& stated = {},
+                      const WorkHooks& hooks = {});
 
 }  // namespace fourpost

@@ -230,7 +230,7 @@ class Draft(ProgramTest):
                     self.assertLess(abs(parameter["value"] / parameter["start"] - 1), 0.05, parameter["name"])
 
     def test_takes_what_is_let_go_and_what_is_driven(self):
-        release = "t,z_body,a_body\ns,mm,m/s^2\n" + "".join(
+        release = "t,s_strut,a_body\ns,mm,m/s^2\n" + "".join(
             f"{k / RATE:.4f},{50 * math.exp(-2 * k / RATE) * math.cos(8 * k / RATE):.5f},"
             f"{-2 * math.exp(-2 * k / RATE) * math.cos(8 * k / RATE + 0.3):.5f}\n" for k in range(4 * RATE))
         self.write("drop.csv", release)
@@ -243,6 +243,33 @@ class Draft(ProgramTest):
             f"{k / RATE:.4f},{60 * math.sin(0.02 * k):.5f},{0.1 * math.sin(0.02 * k + 0.2):.5f}\n" for k in range(4 * RATE)))
         self.run_program("init", "active", "--from", "active.csv", "--vehicle", "active.urdf")
         self.assertIn("    actuators: {actuator: Actuator Force}  # look at", (self.folder / "active/study.yaml").read_text())
+
+    def test_finds_when_a_vehicle_is_let_go_and_which_post_is_which(self):
+        """Two drops of one recording, held until 1.5 s and, lifted from 6 to 7 s, until 9 s; and a post by an option."""
+        def height(t):
+            after = t - (9 if t >= 6 else 1.5)
+            held = 30 * min(1, t - 6) if t >= 6 else 50
+            return held if after < 0 else held * math.exp(-5 * after) * math.cos(8 * after)
+
+        noise = [1e-3 * (k * 7919 % 13 - 6) for k in range(13)]
+        self.write("drops.csv", "t,s_strut,a_body\ns,mm,m/s^2\n" + "".join(
+            f"{k / RATE:.4f},{height(k / RATE) + noise[k % 13]:.5f},"
+            f"{(0 if k < 300 or 1000 <= k < 1800 else -0.09 * height(k / RATE)) + noise[k * 3 % 13]:.5f}\n"
+            for k in range(14 * RATE)))
+        self.run_program("init", "drops", "--from", "drops.csv", "--vehicle", "car.urdf")
+        text = (self.folder / "drops/study.yaml").read_text()
+        for line in ("name: drops_1", "name: drops_2", "start: 1.5 s", "start: 9 s", "{s_strut: 50 mm}", "{s_strut: 30 mm}"):
+            self.assertIn(line, text)
+        self.assertEqual(text.count("release: at rest"), 2)
+        self.assertNotIn("trend", text)
+        self.assertNotIn("drifts", self.run_program("info", "drops.csv").stdout)
+        self.write("lost.csv", renamed((self.folder / "dwells.csv").read_text()).replace("Actuator pos", "xyz"))
+        words = ("init", "lost", "--from", "lost.csv", "--vehicle", "car.urdf", "--post")
+        self.assert_finding(self.run_program(*words, "xyz=FL", code=2).stderr, "sine-post-unknown")
+        self.assert_finding(self.run_program(*words, "xya=post", code=2).stderr, "response-post-missing")
+        self.assert_finding(self.run_program(*words, "xyz", code=2).stderr, "post-channel-malformed")
+        self.run_program(*words, "xyz=post")
+        self.assertIn("post_channels: {post: xyz}\n", (self.folder / "lost/study.yaml").read_text())
 
     def test_takes_a_damper_from_its_bench(self):
         damper = SOURCE / "studies/damper"

@@ -29,6 +29,30 @@ TEST(NameMeaning, OtherPlacesHaveNothingInCommon) {
   EXPECT_LT(Likeness(MeaningOf("a_body_FL"), MeaningOf("Hub Acc LF")), 1);
 }
 
+TEST(NameMeaning, ReadsItalianFrenchAndSpanish) {
+  const auto part = [](const char* name) { return MeaningOf(name).words; };
+  using Words = std::set<std::string>;
+  for (const char* name : {"Pos_attuatore", "Pistone", "Course vérin", "Actionneur", "Cilindro", "actuador"})
+    EXPECT_EQ(part(name), Words{"post"}) << name;
+  for (const char* name : {"Acc_cassa", "Caisse", "Carrocería", "Châssis"})
+    EXPECT_EQ(part(name), Words{"body"}) << name;
+  for (const char* name : {"Acc_mozzo", "ruota", "Roue", "moyeu", "rueda", "Buje"})
+    EXPECT_EQ(part(name), Words{"axle"}) << name;
+  for (const char* name :
+       {"Corsa_ammortizzatore", "Débattement", "DÉBATTEMENT", "recorrido amortiguador", "Dämpfer", "DÄMPFER"})
+    EXPECT_EQ(part(name), Words{"strut"}) << name;
+  for (const char* name : {"Carico", "Charge", "carga", "Neumático"}) EXPECT_EQ(part(name), Words{"tyre"}) << name;
+  for (const char* name : {"cassa anteriore sinistra", "Caisse avant gauche", "carrocería delantera izquierda"}) {
+    EXPECT_EQ(MeaningOf(name).front, 1) << name;
+    EXPECT_EQ(MeaningOf(name).left, 1) << name;
+  }
+  for (const char* name : {"cassa posteriore destra", "Caisse arrière droite", "carrocería trasera derecha"}) {
+    EXPECT_EQ(MeaningOf(name).front, -1) << name;
+    EXPECT_EQ(MeaningOf(name).left, -1) << name;
+  }
+  EXPECT_EQ(part("Forza"), Words{});
+}
+
 TEST(NameMeaning, ReadsLettersByOthersOfTheirKind) {
   const auto places = [](const std::vector<std::string>& names, bool has_sides) {
     std::string text;
@@ -49,6 +73,8 @@ TEST(NameMeaning, ReadsLettersByOthersOfTheirKind) {
   EXPECT_EQ(places({"pot_Li", "pot_Re"}, true), "l r ");
   EXPECT_EQ(places({"pot_Fr", "pot_Re"}, true), "F R ");
   EXPECT_EQ(places({"pot_FL", "pot_FR", "pot_RL", "pot_RR"}, true), "Fl Fr Rl Rr ");
+  EXPECT_EQ(places({"corsa_sx", "corsa_dx", "dx"}, true), "l r  ");
+  EXPECT_EQ(places({"verin AV", "verin AR"}, true), "F R ");
   // Alone: right or rear?
   EXPECT_EQ(places({"post_r"}, true), " ");
   EXPECT_EQ(places({"post_r", "acc_v"}, false), "R  ");
@@ -109,6 +135,24 @@ TEST(ChannelMatch, TakesWhatIsLeftOfAKindThatMotionFound) {
   EXPECT_EQ(Matched(matches, "s_strut_front"), "XY_F ?");
   EXPECT_EQ(Matched(matches, "s_strut_rear"), "XY_R ?");
   EXPECT_EQ(matches.back().by, ChannelMatch::By::kKind);
+}
+
+TEST(ChannelMatch, TakesTheLastOfItsUnitThatMovesAboutSo) {
+  const std::vector<OfferedChannel> offered = {{"body front", kAcceleration}, {"ch 7", kForce}};
+  const auto by_motion = [&](double of_force, const std::vector<OfferedChannel>& channels) {
+    return Matched(MatchChannels(kSought, channels, true,
+                                 [&](const std::string&, const std::string& channel) -> std::optional<double> {
+                                   return channel == "body front" ? 0.97 : of_force;
+                                 }),
+                   "F_tyre_front");
+  };
+  EXPECT_EQ(by_motion(0.86, offered), "ch 7 ?");
+  EXPECT_EQ(by_motion(-0.86, offered), "{channel: ch 7, sign: -1} ?");
+  EXPECT_EQ(by_motion(0.3, offered), "none");
+  // Two are left, or one that means another part or stands at another place.
+  EXPECT_EQ(by_motion(0.86, {{"ch 7", kForce}, {"ch 8", kForce}}), "none");
+  EXPECT_EQ(by_motion(0.86, {{"Damper force", kForce}}), "none");
+  EXPECT_EQ(by_motion(0.86, {{"ch 7 rear", kForce}}), "none");
 }
 
 std::vector<ChannelMatch> PostsOf(const std::vector<OfferedChannel>& offered) {
