@@ -45,6 +45,7 @@ double StepOf(const RigFault& fault) {
   switch (fault.kind) {
     case Kind::kDelay: return 1e-5;
     case Kind::kPlace: return 1e-3;
+    case Kind::kWheelpan: return 1e-2;
     default: return 1e-4;
   }
 }
@@ -348,6 +349,43 @@ std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTo
   return found;
 }
 
+/// Mean of the masses in the file [kg]; 0 of another fault.
+double WheelpanOf(const AuditSubject& subject, const RigFault& fault) {
+  if (fault.kind != Kind::kWheelpan) return 0;
+  double sum = 0;
+  for (const std::size_t t : fault.members) sum += subject.car.tyres[t].wheelpan;
+  return sum / static_cast<double>(fault.members.size());
+}
+
+/// As large a fault would be no fault of this kind: all of a reading, a period of the lowest frequency.
+double LargestOf(const RigFault& fault, const AuditSubject& subject) {
+  constexpr double kHeaviest_kg = 1000;
+  constexpr double kCar_m = 5;
+  double slowest_Hz = std::numeric_limits<double>::infinity();
+  for (const AuditedRun& run : subject.runs)
+    for (const double frequency : run.frequency_Hz) slowest_Hz = std::min(slowest_Hz, frequency);
+  switch (fault.kind) {
+    case Kind::kDelay: return 1 / slowest_Hz;
+    case Kind::kPlace: return kCar_m;
+    case Kind::kWheelpan: return kHeaviest_kg;
+    default: return 1;
+  }
+}
+
+std::vector<Resolution> ResolutionsOf(const std::vector<Explanation>& all, const std::vector<RigFault>& faults,
+                                      const AuditSubject& subject, double widened) {
+  std::vector<Resolution> resolutions;
+  for (const Explanation& one : all) {
+    const RigFault& fault = faults[one.fault];
+    if (fault.kind == Kind::kExchange) continue;
+    Resolution resolution{fault, widened * std::sqrt(one.variance)};
+    if (!(one.variance > 0) || resolution.Seen() > LargestOf(fault, subject))
+      resolution.sd = std::numeric_limits<double>::infinity();
+    resolutions.push_back(resolution);
+  }
+  return resolutions;
+}
+
 std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand) {
   using RowKind = AuditEquations::Row::Kind;
   struct Sum {
@@ -416,16 +454,29 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     if (!(suspicion.score > kSuspicious * kSuspicious) || round == kMostFaults) {
       audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
       const double widened = std::max(1.0, audit.misfit);
-      for (const Explanation& one : all)
-        if (faults[one.fault].kind != Kind::kExchange)
-          audit.resolutions.push_back({faults[one.fault], one.variance > 0 ? widened * std::sqrt(one.variance)
-                                                                           : std::numeric_limits<double>::infinity()});
+      audit.resolutions = ResolutionsOf(all, faults, subject, widened);
       break;
     }
+    suspicion.wheelpan_kg = WheelpanOf(subject, suspicion.fault);
     Add(suspicion, audit.suspicions);
     corrected = Corrected(std::move(corrected), suspicion.fault, suspicion.size);
   }
+  const auto is_seen = [](const Resolution& one) { return std::isfinite(one.sd); };
+  if (audit.suspicions.empty() && std::none_of(audit.resolutions.begin(), audit.resolutions.end(), is_seen))
+    audit.is_redundant = false;
   return audit;
+}
+
+std::optional<FoundWheelpan> WheelpanBy(const Audit& audit, const std::string& cell, double least_kg) {
+  const auto is_it = [&](const RigFault& fault) {
+    return fault.kind == Kind::kWheelpan && (fault.name == cell || fault.members.size() > 1);
+  };
+  std::optional<FoundWheelpan> found;
+  for (const Resolution& one : audit.resolutions)
+    if (is_it(one.fault) && one.fault.name == cell && one.Seen() < least_kg) found = FoundWheelpan{.sd = one.sd};
+  for (const Suspicion& one : audit.suspicions)
+    if (is_it(one.fault)) found = FoundWheelpan{(found ? found->kg : 0) + one.size, one.sd};
+  return found;
 }
 
 bool ClearsChannels(const Audit& audit, const std::vector<std::string>& channels) {
