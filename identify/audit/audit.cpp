@@ -12,6 +12,7 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "identify/audit/audit_equations.h"
+#include "identify/audit/free_wheelpans.h"
 
 namespace fourpost {
 namespace {
@@ -69,6 +70,15 @@ class Stand {
   const AuditEquations& equations() const { return equations_; }
   const Eigen::VectorXd& rest() const { return rest_; }
   double degrees() const { return degrees_; }
+
+  /// An unknown parameter of AuditedCar::reach, beside its value in the file.
+  double Parameter(Eigen::Index j) const { return unknowns_[FirstParameter() + j]; }
+  /// Its standard deviation: of noise, `widened` times, and of what a good rig may be off by.
+  double ParameterSd(Eigen::Index j, double widened) const {
+    const Eigen::Index row = FirstParameter() + j;
+    const double noise = scale_[row] * free_->PseudoInverse().row(row).norm();
+    return std::hypot(widened * noise, moved_.row(row).cwiseProduct(allowed_.transpose()).norm());
+  }
 
   /// Sum of squares with what a good rig may be off by as noise.
   double Squares() const { return SquaresOf(rest_); }
@@ -138,6 +148,8 @@ class Stand {
   }
 
  private:
+  Eigen::Index FirstParameter() const { return 3 * static_cast<Eigen::Index>(subject_.car.tyres.size()); }
+
   /// Of the whole car the unknown numbers, by Gauss-Newton: only products of two small ones are not linear.
   void Solve() {
     unknowns_ = Eigen::VectorXd::Zero(equations_.unknowns());
@@ -203,7 +215,9 @@ class Stand {
       directions_.col(j) = (here - equations_.Misclosures(Corrected(subject_, fault, step), unknowns_)) / step;
       allowed_[j] = fault.allowed;
     }
-    directions_ -= slopes_ * free_->Solve(directions_);
+    const Eigen::MatrixXd moved = free_->Solve(directions_);
+    moved_ = scale_.asDiagonal() * moved;
+    directions_ -= slopes_ * moved;
     const Eigen::MatrixXd products = directions_.transpose() * directions_;
     const Eigen::MatrixXd t = allowed_.asDiagonal();
     inner_ =
@@ -236,6 +250,8 @@ class Stand {
   double degrees_ = 0;
   Eigen::MatrixXd directions_;
   Eigen::VectorXd allowed_;
+  /// How far each fault moves the unknown numbers.
+  Eigen::MatrixXd moved_;
   /// With which products of directions give what tolerances explain.
   Eigen::MatrixXd inner_;
   Eigen::VectorXd gradient_;
@@ -425,7 +441,16 @@ std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand
 
 double Resolution::Seen() const { return kSuspicious * sd; }
 
-Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
+namespace {
+
+/// What is known of the parameters of AuditedCar::reach once suspicions are corrected.
+struct FoundParameters {
+  std::vector<double> changes;
+  std::vector<double> sds;
+};
+
+/// With wheelpans as stated, or as the subject frees them.
+Audit SearchFaults(const AuditSubject& subject, const RigTolerance& tolerance, FoundParameters* parameters = nullptr) {
   Audit audit;
   const std::vector<RigFault> faults = PossibleFaults(subject, tolerance);
   AuditSubject corrected = subject;
@@ -455,6 +480,10 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
       audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
       const double widened = std::max(1.0, audit.misfit);
       audit.resolutions = ResolutionsOf(all, faults, subject, widened);
+      for (Eigen::Index j = 0; parameters != nullptr && j < subject.car.reach.size(); ++j) {
+        parameters->changes.push_back(stand.Parameter(j));
+        parameters->sds.push_back(stand.ParameterSd(j, widened));
+      }
       break;
     }
     suspicion.wheelpan_kg = WheelpanOf(subject, suspicion.fault);
@@ -464,6 +493,51 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
   const auto is_seen = [](const Resolution& one) { return std::isfinite(one.sd); };
   if (audit.suspicions.empty() && std::none_of(audit.resolutions.begin(), audit.resolutions.end(), is_seen))
     audit.is_redundant = false;
+  return audit;
+}
+
+/// Wheelpans of other masses than stated, with the audit once they are corrected; null unless that resolves most of
+/// what channels contradict each other by. With a delay or a dead channel beside it, a wheelpan alone explains little.
+std::optional<Audit> WithOtherWheelpans(const AuditSubject& subject, const RigTolerance& tolerance, double misfit) {
+  // Three times that is the most.
+  constexpr double kReach_kg = 30;
+  const std::vector<std::size_t> tyres = StatedWheelpans(subject);
+  if (tyres.empty()) return std::nullopt;
+  FoundParameters found;
+  SearchFaults(WithFreeWheelpans(subject, tyres, kReach_kg), tolerance, &found);
+  if (found.changes.empty()) return std::nullopt;
+  const std::size_t first = found.changes.size() - tyres.size();
+  AuditSubject corrected = subject;
+  std::vector<Suspicion> suspicions;
+  for (const RigFault& fault : PossibleFaults(subject, tolerance)) {
+    if (fault.kind != Kind::kWheelpan || fault.members.size() > 1) continue;
+    const auto place = std::find(tyres.begin(), tyres.end(), fault.members.front()) - tyres.begin();
+    const double size = found.changes[first + static_cast<std::size_t>(place)];
+    const double sd = found.sds[first + static_cast<std::size_t>(place)];
+    const double score = std::pow(size / std::hypot(sd, fault.allowed), 2);
+    if (score <= kSuspicious * kSuspicious) continue;
+    suspicions.push_back(
+        {.fault = fault, .size = size, .sd = sd, .wheelpan_kg = WheelpanOf(subject, fault), .score = score});
+    corrected = Corrected(std::move(corrected), fault, size);
+  }
+  if (suspicions.empty()) return std::nullopt;
+  Audit audit = SearchFaults(corrected, tolerance);
+  if (audit.misfit > 0.5 * misfit) return std::nullopt;
+  for (const Suspicion& suspicion : audit.suspicions) Add(suspicion, suspicions);
+  audit.suspicions = std::move(suspicions);
+  return audit;
+}
+
+}  // namespace
+
+Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
+  Audit audit = SearchFaults(subject, tolerance);
+  if (audit.misfit * audit.misfit > kExplained)
+    if (std::optional<Audit> other = WithOtherWheelpans(subject, tolerance, audit.misfit)) {
+      // As recorded.
+      other->channels = std::move(audit.channels);
+      return *std::move(other);
+    }
   return audit;
 }
 

@@ -83,7 +83,7 @@ std::optional<FoundWheelpan> WheelpanBy(const Audit& audit, const std::string& c
 /// Looks for faults of a rig in its records without fitting the car, see AuditEquations. What a good rig may be off by
 /// (`tolerance`) counts as noise that all readings of a channel share, so that a fault counts by how far it is beyond
 /// that; all noise is widened by `misfit` where that is above 1. The fault that explains most is taken out, and the
-/// search goes on, at most four times.
+/// search goes on, at most four times. Where channels contradict each other then, wheelpans are sought that resolve it.
 Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance = {});
 
 }  // namespace fourpost

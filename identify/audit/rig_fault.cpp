@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "identify/audit/free_wheelpans.h"
+
 namespace fourpost {
 namespace {
 
@@ -52,7 +54,7 @@ class FaultList {
     for (std::size_t t = 0; t < subject_.car.tyres.size(); ++t)
       if (IsMeasured(subject_, Where::kCells, t)) cells.push_back(t);
     AddDevice(Where::kCells, NameOf(Device::kLoadCells), cells);
-    AddWheelpans(cells);
+    AddWheelpans(StatedWheelpans(subject_));
     AddPosts();
     if (!subject_.car.balance || cells.size() < subject_.car.tyres.size()) return std::move(faults_);
     if (subject_.weight)
@@ -100,11 +102,7 @@ class FaultList {
   }
 
   /// Each, and the same mass under all; not those that a parameter sets, which are unknown anyway.
-  void AddWheelpans(std::vector<std::size_t> cells) {
-    std::erase_if(cells, [&](std::size_t t) {
-      const Eigen::VectorXd& slope = subject_.car.tyres[t].wheelpan_slope;
-      return slope.size() > 0 && !slope.isZero();
-    });
+  void AddWheelpans(const std::vector<std::size_t>& cells) {
     const auto add = [&](std::vector<std::size_t> members, std::string name) {
       const double in_file = subject_.car.tyres[members.front()].wheelpan;
       Add({.kind = Kind::kWheelpan,
