@@ -496,9 +496,10 @@ Audit SearchFaults(const AuditSubject& subject, const RigTolerance& tolerance, F
   return audit;
 }
 
-/// Wheelpans of other masses than stated, with the audit once they are corrected; null unless that resolves most of
-/// what channels contradict each other by. With a delay or a dead channel beside it, a wheelpan alone explains little.
-std::optional<Audit> WithOtherWheelpans(const AuditSubject& subject, const RigTolerance& tolerance, double misfit) {
+/// Wheelpans of other masses than stated, with the audit once they are corrected; null unless no more than
+/// `most_misfit` is left over then. With a delay or a dead channel beside it, a wheelpan alone explains little.
+std::optional<Audit> WithOtherWheelpans(const AuditSubject& subject, const RigTolerance& tolerance,
+                                        double most_misfit) {
   // Three times that is the most.
   constexpr double kReach_kg = 30;
   const std::vector<std::size_t> tyres = StatedWheelpans(subject);
@@ -522,7 +523,7 @@ std::optional<Audit> WithOtherWheelpans(const AuditSubject& subject, const RigTo
   }
   if (suspicions.empty()) return std::nullopt;
   Audit audit = SearchFaults(corrected, tolerance);
-  if (audit.misfit > 0.5 * misfit) return std::nullopt;
+  if (audit.misfit > most_misfit) return std::nullopt;
   for (const Suspicion& suspicion : audit.suspicions) Add(suspicion, suspicions);
   audit.suspicions = std::move(suspicions);
   return audit;
@@ -532,13 +533,18 @@ std::optional<Audit> WithOtherWheelpans(const AuditSubject& subject, const RigTo
 
 Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
   Audit audit = SearchFaults(subject, tolerance);
-  if (audit.misfit * audit.misfit > kExplained)
-    if (std::optional<Audit> other = WithOtherWheelpans(subject, tolerance, audit.misfit)) {
-      // As recorded.
-      other->channels = std::move(audit.channels);
-      return *std::move(other);
-    }
-  return audit;
+  // Rates of tyres follow a wheelpan beyond derivatives: its mass is that of both together.
+  constexpr double kSame = 1.1;
+  constexpr double kResolved = 0.5;
+  const bool has_wheelpan = std::any_of(audit.suspicions.begin(), audit.suspicions.end(),
+                                        [](const Suspicion& one) { return one.fault.kind == Kind::kWheelpan; });
+  if (!has_wheelpan && audit.misfit * audit.misfit <= kExplained) return audit;
+  std::optional<Audit> other =
+      WithOtherWheelpans(subject, tolerance, (has_wheelpan ? kSame : kResolved) * audit.misfit);
+  if (!other) return audit;
+  // As recorded.
+  other->channels = std::move(audit.channels);
+  return *std::move(other);
 }
 
 std::optional<FoundWheelpan> WheelpanBy(const Audit& audit, const std::string& cell, double least_kg) {

@@ -182,6 +182,10 @@ def named(suspicion, kind, expected):
     return suspicion["kind"] in kinds and any(suspicion["of"].startswith(one) for one in expected)
 
 
+# Of a study that the checks before it refuse.
+NO_AUDIT = {"suspicions": [], "misfit": math.nan}
+
+
 def run_sets(options):
     out = csv.writer(sys.stdout)
     out.writerow(["set", "model", "fault", "of", "named_first", "named_among", "anything_named", "misfit", "found"])
@@ -197,13 +201,13 @@ def run_sets(options):
             shutil.copytree(kept, folder)
             study = repeated_study(model, folder)
             draw = random.Random(f"fault {number}")
-            clean = audit(options.program, study)["audit"]
+            clean = audit(options.program, study)["audit"] or NO_AUDIT
             out.writerow([number, model, "none", "", "", "", int(bool(clean["suspicions"])), f"{clean['misfit']:.2f}",
                           words(clean["suspicions"])])
             kind = KINDS[(number // len(models)) % len(KINDS)]
             expected = seed_fault(kind, study, folder, draw)
             if expected:
-                faulty = audit(options.program, study)["audit"]
+                faulty = audit(options.program, study)["audit"] or NO_AUDIT
                 found = faulty["suspicions"]
                 first = bool(found) and named(found[0], kind, expected)
                 among = any(named(s, kind, expected) or any(named(r, kind, expected) for r in s["rivals"]) for s in found)

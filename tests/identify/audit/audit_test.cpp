@@ -1,5 +1,6 @@
 #include "identify/audit/audit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -159,21 +160,20 @@ TEST(Audit, AWheelpanThatAParameterSetsIsUnknownWithinItsReach) {
   EXPECT_FALSE(AuditRig(bar).suspicions.empty());
 }
 
-// Neither explains enough alone to be named first: without the search for wheelpans, channels contradict each other for
-// no known reason.
-TEST(Audit, NamesAWheelpanBesideALateAndAClippedChannel) {
+// Found one after the other, by derivatives, a wheelpan takes its part of the tyre's rate: 55 kg of 60.
+TEST(Audit, WeighsAWheelpanTogetherWithTheRateOfItsTyre) {
   AuditSubject bar = Bar(1);
   bar = Corrected(bar, Fault(bar, Kind::kWheelpan, "F_front"), -60);
-  bar = Corrected(bar, Fault(bar, Kind::kDelay, "strut"), -0.006);
-  for (Eigen::Index f = 24; f < 32; ++f) bar.runs[0].motions(2, f) *= 0.9;
+  bar = Corrected(bar, Fault(bar, Kind::kDelay, "strut"), -0.012);
   const Audit audit = AuditRig(bar);
-  const auto named = [&](Kind kind, const std::string& name, double size) {
-    for (const Suspicion& one : audit.suspicions)
-      if (one.fault.kind == kind && one.fault.name == name) return std::abs(one.size - size) < 4 * one.sd;
-    return false;
+  const auto named = [&](Kind kind, const std::string& name, double size, double within) {
+    return std::any_of(audit.suspicions.begin(), audit.suspicions.end(), [&](const Suspicion& one) {
+      return one.fault.kind == kind && one.fault.name == name && std::abs(one.size - size) < within;
+    });
   };
-  EXPECT_TRUE(named(Kind::kWheelpan, "F_front", 60));
-  EXPECT_TRUE(named(Kind::kDelay, "strut", 0.006));
+  // 1.5 standard deviations, which are mostly of what a good rig may be off by: these readings are not.
+  EXPECT_TRUE(named(Kind::kWheelpan, "F_front", 60, 4));
+  EXPECT_TRUE(named(Kind::kDelay, "strut", 0.012, 0.001));
 }
 
 TEST(Audit, TellsTheWheelpanOfALoadCell) {
