@@ -72,7 +72,8 @@ struct AuditedCar {
   std::vector<AuditedSensor> sensors;
   std::vector<AuditedTyre> tyres;
   std::optional<AuditedBalance> balance;
-  /// How far each parameter of inertia or of wheelpans may be from its value in the vehicle's file, as a standard deviation.
+  /// How far each parameter of inertia or of wheelpans may be from its value in the vehicle's file, as a standard
+  /// deviation.
   Eigen::VectorXd reach;
 };
 
@@ -85,7 +86,8 @@ struct AuditedRun {
   /// Sensors x frequencies, normalised as AuditedSensor says; standard deviations of a real part.
   Eigen::MatrixXcd motions;
   Eigen::MatrixXd motion_sd;
-  /// Tyres x frequencies: readings of the load cells [N/m] without the inertia of the file's wheelpans, more load positive.
+  /// Tyres x frequencies: readings of the load cells [N/m] without the inertia of the file's wheelpans, more load
+  /// positive.
   Eigen::MatrixXcd forces;
   Eigen::MatrixXd force_sd;
   /// Whether standard deviations are those of noise that was measured.

@@ -41,8 +41,8 @@ std::optional<DescribedFile> DescribeStudy(const std::filesystem::path& file, Di
                                  {"audit", audit ? AuditJson(*audit) : Json()},
                                  {"warnings", WarningsJson(described.findings)}});
   described.text = audit ? AuditText(*audit) : NoAuditText(*study, described.findings);
-  described.is_refused = std::any_of(described.findings.items().begin(), described.findings.items().end(),
-                                     ContradictsAnAudit);
+  described.is_refused =
+      std::any_of(described.findings.items().begin(), described.findings.items().end(), ContradictsAnAudit);
   described.text += NoiseAtRestText(*study);
   for (const Diagnostic& finding : described.findings.ByWeight()) described.text += Format(finding) + '\n';
   return described;

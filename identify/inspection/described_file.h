@@ -19,7 +19,8 @@ struct DescribedFile {
   nlohmann::ordered_json json;
   /// Of a study: what its channels say against each other.
   Diagnostics findings;
-  /// Of a study whose recordings contradict what it says of posts and amplitudes: a fit refuses it, and there is no audit.
+  /// Of a study whose recordings contradict what it says of posts and amplitudes: a fit refuses it, and there is no
+  /// audit.
   bool is_refused = false;
 };
 

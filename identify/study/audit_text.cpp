@@ -93,9 +93,8 @@ std::string AuditText(const Audit& audit) {
       open += std::string(open.empty() ? "" : ", ") + KindName(fault.kind) + " of " + fault.name;
   }
   std::sort(order.begin(), order.end());
-  TextTable table(
-      {"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]", "position (x) from [cm]",
-       "wheelpan from [kg]"});
+  TextTable table({"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]",
+                   "position (x) from [cm]", "wheelpan from [kg]"});
   for (const std::string& name : order) {
     // Without load cells there is no word of it; a row of dashes says nothing.
     if (name == kClock && seen[name].scale == "-") continue;

@@ -247,9 +247,8 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
     const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
     const bool is_wheelpan = suspicion.fault.kind == Kind::kWheelpan;
     if (is_wheelpan && HasWheelpanFinding(diagnostics)) continue;
-    std::vector<std::string> words = {
-        is_wheelpan ? WheelpanWords(suspicion) : Words(suspicion.fault, suspicion.size), RivalWords(suspicion),
-        Sure(suspicion)};
+    std::vector<std::string> words = {is_wheelpan ? WheelpanWords(suspicion) : Words(suspicion.fault, suspicion.size),
+                                      RivalWords(suspicion), Sure(suspicion)};
     if (&kind == &kRigUnit) {
       words.emplace_back(KnownOf(FactorOf(suspicion.size))->words);
       words.push_back(UnitCorrection(study, suspicion));

@@ -193,7 +193,8 @@ void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
       if (std::abs(extra.kg) < kLight_kg) continue;
     }
     const double file_kg = sensor.wheelpan.At(values);
-    if (extra.kg < 0 && -extra.kg > std::max(kOfWheelpan * file_kg, kLightPan_kg)) taken_out.emplace_back(&sensor, extra);
+    if (extra.kg < 0 && -extra.kg > std::max(kOfWheelpan * file_kg, kLightPan_kg))
+      taken_out.emplace_back(&sensor, extra);
     if (extra.kg < 0) continue;
     extra.kg += file_kg;
     if (!IsWithinBounds(vehicle, sensor, extra.kg)) forgotten.emplace_back(&sensor, extra);

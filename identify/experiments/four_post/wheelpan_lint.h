@@ -16,8 +16,8 @@ namespace fourpost {
 std::string MassText(double kg, double sd);
 
 /// Load cells that feel wheelpans the vehicle does not have, or the other way round, each kind as one warning.
-/// `modelled` as ModelledResponses of the runs. The model, at the values of the file, says where to look; `audit`, which
-/// is asked then and takes no mass nor rate from the file, says how much, and whether, where redundancy shows it.
+/// `modelled` as ModelledResponses of the runs. The model, at the values of the file, says where to look; `audit`,
+/// which is asked then and takes no mass nor rate from the file, says how much, and whether, where redundancy shows it.
 void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
                    const std::vector<FrequencyResponse>& modelled, const std::function<Audit()>& audit,
                    ChannelWarnings& warnings);

@@ -217,7 +217,8 @@ TEST(Audit, SaysWhatRedundancyDoesNotShow) {
   // a whole reading and a period are none.
   const Audit audit = AuditRig(bar);
   EXPECT_FALSE(audit.is_redundant);
-  for (const Resolution& resolution : audit.resolutions) EXPECT_FALSE(std::isfinite(resolution.sd)) << resolution.fault.name;
+  for (const Resolution& resolution : audit.resolutions)
+    EXPECT_FALSE(std::isfinite(resolution.sd)) << resolution.fault.name;
 }
 
 TEST(AuditEquations, CoordinatesLeaveNothingOver) {

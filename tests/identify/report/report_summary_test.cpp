@@ -153,8 +153,8 @@ TEST(Summary, AsksToCorrectAChannelBeforeAMechanism) {
   result["channels"][1].update(Json::parse(R"({"misfit": 4, "worst": {"lower_Hz": 16, "upper_Hz": 28}})"));
   result["missing"] = Json::parse(R"({"tried": 9, "suggestions": [
       {"mechanism": "delay", "text": "delay of 's_strut'", "expected": "6.94 ms", "fall_percent": 29}]})");
-  const auto asks = AllOf(HasSubstr("Check the wiring: delay of &#39;s_strut&#39; (6.94 ms)"),
-                          Not(HasSubstr("suspects no channel")));
+  const auto asks =
+      AllOf(HasSubstr("Check the wiring: delay of &#39;s_strut&#39; (6.94 ms)"), Not(HasSubstr("suspects no channel")));
   EXPECT_THAT(SummaryOf(result, Known()), asks);
   result["missing"]["suggestions"][0]["mechanism"] = "friction";
   EXPECT_THAT(SummaryOf(result, Known()), Not(asks));

@@ -184,7 +184,8 @@ TEST_P(EveryStudy, TellsOfWheelpansForgottenOnAllPosts) {
   ASSERT_EQ(found.items().size(), 1u) << found.Format();
   EXPECT_THAT(found, Reports(kWheelpanForgotten, found.items()[0].place.line,
                              {is_planar ? "(F_pan_front, F_pan_rear)" : "(F_pan_FL, F_pan_FR, F_pan_RL, F_pan_RR)"}));
-  EXPECT_THAT(found.Format(), ContainsRegex(is_planar ? "wheelpan=\"(4[7-9]|5[0-2])(\\.[0-9]+)? kg\"" : "wheelpan=\"2[3-6](\\.[0-9]+)? kg\""));
+  EXPECT_THAT(found.Format(), ContainsRegex(is_planar ? "wheelpan=\"(4[7-9]|5[0-2])(\\.[0-9]+)? kg\""
+                                                      : "wheelpan=\"2[3-6](\\.[0-9]+)? kg\""));
 }
 
 // The model at the values of the file says that there is one, the channels say how heavy it is.
