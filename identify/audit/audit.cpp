@@ -142,9 +142,7 @@ class Stand {
       // What is allowed of this fault is in the noise, and does not change the best size, only its information.
       size += change;
       one.variance = 1 / information;
-      // Of readings in another unit, the share of what is left of them counts.
-      const double share = fault.kind == Kind::kScale ? std::min(1.0, std::abs(1 + size)) : 1;
-      if (std::abs(change) < 0.1 * share * fault.allowed) break;
+      if (std::abs(change) < 0.1 * fault.allowed) break;
     }
     return one;
   }

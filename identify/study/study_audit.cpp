@@ -42,7 +42,8 @@ constexpr std::array kKnownFactors = {
 
 /// Of recorded over true, or its reciprocal; null where it is none of a unit.
 const KnownFactor* KnownOf(double factor) {
-  constexpr double kNear = 0.02;
+  // Sensors that are right but for their unit are off by some per cent: a strut of the Land Rover's by 2 %.
+  constexpr double kNear = 0.03;
   for (const KnownFactor& known : kKnownFactors)
     for (const double one : {known.factor, 1 / known.factor})
       if (std::abs(factor / one - 1) < kNear) return &known;
