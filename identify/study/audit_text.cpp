@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = RigFault::Kind;
 
-constexpr double kMilli = 1e3;
-constexpr double kPercent = 100;
+constexpr double kInMilli = 1e3;
+constexpr double kInPercent = 100;
 
 const char* KindName(Kind kind) {
   switch (kind) {
@@ -53,7 +53,7 @@ std::string SeenText(const Resolution& resolution, double unit, int digits) {
 /// Of shares; nothing of a channel that no other checks: what it leaves over is of rounding.
 std::string ShareText(double share, double expected) {
   constexpr double kUnchecked = 0.01;
-  return share < kUnchecked * expected ? "-" : ShortNumber(kPercent * share, 2);
+  return share < kUnchecked * expected ? "-" : ShortNumber(kInPercent * share, 2);
 }
 
 /// The fault of a clock.
@@ -85,9 +85,9 @@ std::string AuditText(const Audit& audit) {
     const RigFault& fault = resolution.fault;
     if (!seen.count(fault.name)) order.push_back(fault.name);
     Seen& entry = seen[fault.name];
-    if (fault.kind == Kind::kScale) entry.scale = SeenText(resolution, kPercent, 2);
-    if (fault.kind == Kind::kDelay) entry.delay = SeenText(resolution, kMilli, 2);
-    if (fault.kind == Kind::kPlace && fault.axis == 0) entry.place = SeenText(resolution, kPercent, 2);
+    if (fault.kind == Kind::kScale) entry.scale = SeenText(resolution, kInPercent, 2);
+    if (fault.kind == Kind::kDelay) entry.delay = SeenText(resolution, kInMilli, 2);
+    if (fault.kind == Kind::kPlace && fault.axis == 0) entry.place = SeenText(resolution, kInPercent, 2);
     if (fault.kind == Kind::kWheelpan) entry.wheelpan = SeenText(resolution, 1, 2);
     if (!std::isfinite(resolution.sd) && fault.kind != Kind::kPlace)
       open += std::string(open.empty() ? "" : ", ") + KindName(fault.kind) + " of " + fault.name;
@@ -108,7 +108,7 @@ std::string AuditText(const Audit& audit) {
         ++count;
       }
     table.Add({ShownName(name), count > 0 ? ShareText(rest, expected) : "",
-               count > 0 ? ShortNumber(kPercent * expected, 2) : "", seen[name].scale, seen[name].delay,
+               count > 0 ? ShortNumber(kInPercent * expected, 2) : "", seen[name].scale, seen[name].delay,
                seen[name].place, seen[name].wheelpan});
   }
   return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
