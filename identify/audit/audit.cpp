@@ -12,6 +12,7 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "identify/audit/audit_equations.h"
+#include "identify/audit/free_wheelpans.h"
 
 namespace fourpost {
 namespace {
@@ -45,6 +46,7 @@ double StepOf(const RigFault& fault) {
   switch (fault.kind) {
     case Kind::kDelay: return 1e-5;
     case Kind::kPlace: return 1e-3;
+    case Kind::kWheelpan: return 1e-2;
     default: return 1e-4;
   }
 }
@@ -68,6 +70,15 @@ class Stand {
   const AuditEquations& equations() const { return equations_; }
   const Eigen::VectorXd& rest() const { return rest_; }
   double degrees() const { return degrees_; }
+
+  /// An unknown parameter of AuditedCar::reach, beside its value in the file.
+  double Parameter(Eigen::Index j) const { return unknowns_[FirstParameter() + j]; }
+  /// Its standard deviation: of noise, `widened` times, and of what a good rig may be off by.
+  double ParameterSd(Eigen::Index j, double widened) const {
+    const Eigen::Index row = FirstParameter() + j;
+    const double noise = scale_[row] * free_->PseudoInverse().row(row).norm();
+    return std::hypot(widened * noise, moved_.row(row).cwiseProduct(allowed_.transpose()).norm());
+  }
 
   /// Sum of squares with what a good rig may be off by as noise.
   double Squares() const { return SquaresOf(rest_); }
@@ -137,6 +148,8 @@ class Stand {
   }
 
  private:
+  Eigen::Index FirstParameter() const { return 3 * static_cast<Eigen::Index>(subject_.car.tyres.size()); }
+
   /// Of the whole car the unknown numbers, by Gauss-Newton: only products of two small ones are not linear.
   void Solve() {
     unknowns_ = Eigen::VectorXd::Zero(equations_.unknowns());
@@ -202,7 +215,9 @@ class Stand {
       directions_.col(j) = (here - equations_.Misclosures(Corrected(subject_, fault, step), unknowns_)) / step;
       allowed_[j] = fault.allowed;
     }
-    directions_ -= slopes_ * free_->Solve(directions_);
+    const Eigen::MatrixXd moved = free_->Solve(directions_);
+    moved_ = scale_.asDiagonal() * moved;
+    directions_ -= slopes_ * moved;
     const Eigen::MatrixXd products = directions_.transpose() * directions_;
     const Eigen::MatrixXd t = allowed_.asDiagonal();
     inner_ =
@@ -235,6 +250,8 @@ class Stand {
   double degrees_ = 0;
   Eigen::MatrixXd directions_;
   Eigen::VectorXd allowed_;
+  /// How far each fault moves the unknown numbers.
+  Eigen::MatrixXd moved_;
   /// With which products of directions give what tolerances explain.
   Eigen::MatrixXd inner_;
   Eigen::VectorXd gradient_;
@@ -348,6 +365,43 @@ std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTo
   return found;
 }
 
+/// Mean of the masses in the file [kg]; 0 of another fault.
+double WheelpanOf(const AuditSubject& subject, const RigFault& fault) {
+  if (fault.kind != Kind::kWheelpan) return 0;
+  double sum = 0;
+  for (const std::size_t t : fault.members) sum += subject.car.tyres[t].wheelpan;
+  return sum / static_cast<double>(fault.members.size());
+}
+
+/// As large a fault would be no fault of this kind: all of a reading, a period of the lowest frequency.
+double LargestOf(const RigFault& fault, const AuditSubject& subject) {
+  constexpr double kHeaviest_kg = 1000;
+  constexpr double kCar_m = 5;
+  double slowest_Hz = std::numeric_limits<double>::infinity();
+  for (const AuditedRun& run : subject.runs)
+    for (const double frequency : run.frequency_Hz) slowest_Hz = std::min(slowest_Hz, frequency);
+  switch (fault.kind) {
+    case Kind::kDelay: return 1 / slowest_Hz;
+    case Kind::kPlace: return kCar_m;
+    case Kind::kWheelpan: return kHeaviest_kg;
+    default: return 1;
+  }
+}
+
+std::vector<Resolution> ResolutionsOf(const std::vector<Explanation>& all, const std::vector<RigFault>& faults,
+                                      const AuditSubject& subject, double widened) {
+  std::vector<Resolution> resolutions;
+  for (const Explanation& one : all) {
+    const RigFault& fault = faults[one.fault];
+    if (fault.kind == Kind::kExchange) continue;
+    Resolution resolution{fault, widened * std::sqrt(one.variance)};
+    if (!(one.variance > 0) || resolution.Seen() > LargestOf(fault, subject))
+      resolution.sd = std::numeric_limits<double>::infinity();
+    resolutions.push_back(resolution);
+  }
+  return resolutions;
+}
+
 std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand) {
   using RowKind = AuditEquations::Row::Kind;
   struct Sum {
@@ -387,7 +441,16 @@ std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand
 
 double Resolution::Seen() const { return kSuspicious * sd; }
 
-Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
+namespace {
+
+/// What is known of the parameters of AuditedCar::reach once suspicions are corrected.
+struct FoundParameters {
+  std::vector<double> changes;
+  std::vector<double> sds;
+};
+
+/// With wheelpans as stated, or as the subject frees them.
+Audit SearchFaults(const AuditSubject& subject, const RigTolerance& tolerance, FoundParameters* parameters = nullptr) {
   Audit audit;
   const std::vector<RigFault> faults = PossibleFaults(subject, tolerance);
   AuditSubject corrected = subject;
@@ -416,16 +479,84 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     if (!(suspicion.score > kSuspicious * kSuspicious) || round == kMostFaults) {
       audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
       const double widened = std::max(1.0, audit.misfit);
-      for (const Explanation& one : all)
-        if (faults[one.fault].kind != Kind::kExchange)
-          audit.resolutions.push_back({faults[one.fault], one.variance > 0 ? widened * std::sqrt(one.variance)
-                                                                           : std::numeric_limits<double>::infinity()});
+      audit.resolutions = ResolutionsOf(all, faults, subject, widened);
+      for (Eigen::Index j = 0; parameters != nullptr && j < subject.car.reach.size(); ++j) {
+        parameters->changes.push_back(stand.Parameter(j));
+        parameters->sds.push_back(stand.ParameterSd(j, widened));
+      }
       break;
     }
+    suspicion.wheelpan_kg = WheelpanOf(subject, suspicion.fault);
     Add(suspicion, audit.suspicions);
     corrected = Corrected(std::move(corrected), suspicion.fault, suspicion.size);
   }
+  const auto is_seen = [](const Resolution& one) { return std::isfinite(one.sd); };
+  if (audit.suspicions.empty() && std::none_of(audit.resolutions.begin(), audit.resolutions.end(), is_seen))
+    audit.is_redundant = false;
   return audit;
+}
+
+/// Wheelpans of other masses than stated, with the audit once they are corrected; null unless no more than
+/// `most_misfit` is left over then. With a delay or a dead channel beside it, a wheelpan alone explains little.
+std::optional<Audit> WithOtherWheelpans(const AuditSubject& subject, const RigTolerance& tolerance,
+                                        double most_misfit) {
+  // Three times that is the most.
+  constexpr double kReach_kg = 30;
+  const std::vector<std::size_t> tyres = StatedWheelpans(subject);
+  if (tyres.empty()) return std::nullopt;
+  FoundParameters found;
+  SearchFaults(WithFreeWheelpans(subject, tyres, kReach_kg), tolerance, &found);
+  if (found.changes.empty()) return std::nullopt;
+  const std::size_t first = found.changes.size() - tyres.size();
+  AuditSubject corrected = subject;
+  std::vector<Suspicion> suspicions;
+  for (const RigFault& fault : PossibleFaults(subject, tolerance)) {
+    if (fault.kind != Kind::kWheelpan || fault.members.size() > 1) continue;
+    const auto place = std::find(tyres.begin(), tyres.end(), fault.members.front()) - tyres.begin();
+    const double size = found.changes[first + static_cast<std::size_t>(place)];
+    const double sd = found.sds[first + static_cast<std::size_t>(place)];
+    const double score = std::pow(size / std::hypot(sd, fault.allowed), 2);
+    if (score <= kSuspicious * kSuspicious) continue;
+    suspicions.push_back(
+        {.fault = fault, .size = size, .sd = sd, .wheelpan_kg = WheelpanOf(subject, fault), .score = score});
+    corrected = Corrected(std::move(corrected), fault, size);
+  }
+  if (suspicions.empty()) return std::nullopt;
+  Audit audit = SearchFaults(corrected, tolerance);
+  if (audit.misfit > most_misfit) return std::nullopt;
+  for (const Suspicion& suspicion : audit.suspicions) Add(suspicion, suspicions);
+  audit.suspicions = std::move(suspicions);
+  return audit;
+}
+
+}  // namespace
+
+Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
+  Audit audit = SearchFaults(subject, tolerance);
+  // Rates of tyres follow a wheelpan beyond derivatives: its mass is that of both together.
+  constexpr double kSame = 1.1;
+  constexpr double kResolved = 0.5;
+  const bool has_wheelpan = std::any_of(audit.suspicions.begin(), audit.suspicions.end(),
+                                        [](const Suspicion& one) { return one.fault.kind == Kind::kWheelpan; });
+  if (!has_wheelpan && audit.misfit * audit.misfit <= kExplained) return audit;
+  std::optional<Audit> other =
+      WithOtherWheelpans(subject, tolerance, (has_wheelpan ? kSame : kResolved) * audit.misfit);
+  if (!other) return audit;
+  // As recorded.
+  other->channels = std::move(audit.channels);
+  return *std::move(other);
+}
+
+std::optional<FoundWheelpan> WheelpanBy(const Audit& audit, const std::string& cell, double least_kg) {
+  const auto is_it = [&](const RigFault& fault) {
+    return fault.kind == Kind::kWheelpan && (fault.name == cell || fault.members.size() > 1);
+  };
+  std::optional<FoundWheelpan> found;
+  for (const Resolution& one : audit.resolutions)
+    if (is_it(one.fault) && one.fault.name == cell && one.Seen() < least_kg) found = FoundWheelpan{.sd = one.sd};
+  for (const Suspicion& one : audit.suspicions)
+    if (is_it(one.fault)) found = FoundWheelpan{(found ? found->kg : 0) + one.size, one.sd};
+  return found;
 }
 
 bool ClearsChannels(const Audit& audit, const std::vector<std::string>& channels) {

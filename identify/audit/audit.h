@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace fourpost {
 struct Resolution {
   RigFault fault;
   /// Standard deviation of an estimate of its size, what a good rig may be off by included; infinite where redundancy
-  /// shows nothing of it.
+  /// shows nothing of it, or less than what no reading would leave room for: all of a reading, a period of the lowest
+  /// frequency.
   double sd = 0;
   /// The size that is certainly seen, kSuspicious standard deviations.
   double Seen() const;
@@ -24,6 +26,8 @@ struct Suspicion {
   /// Estimated size and its standard deviation without what a good rig may be off by; 0 of an exchange.
   double size = 0;
   double sd = 0;
+  /// Of kWheelpan the mean of the masses that the vehicle's file has [kg].
+  double wheelpan_kg = 0;
   /// Fall of the sum of squares, over its mean when nothing is wrong: the square of a normal variable then.
   double score = 0;
   /// Faults that would explain it as well, with their sizes.
@@ -56,7 +60,7 @@ struct Audit {
   double misfit = 0;
   /// In all recordings; elsewhere a misfit above 1 is no contradiction.
   bool is_noise_known = true;
-  /// Whether any reading can be checked by others.
+  /// Whether any reading can be checked by others: a fault of one is seen, or suspected.
   bool is_redundant = false;
 };
 
@@ -68,10 +72,18 @@ bool ClearsChannels(const Audit& audit, const std::vector<std::string>& channels
 /// chance that far off in one audit of some 3000 when all that a good rig may be off by is normal.
 inline constexpr double kSuspicious = 4.5;
 
+/// The mass that moves with the post of this load cell beside its file's wheelpan, as suspicions say [kg]; null where
+/// they or resolutions say nothing of it as small as `least_kg`.
+struct FoundWheelpan {
+  double kg = 0;
+  double sd = 0;
+};
+std::optional<FoundWheelpan> WheelpanBy(const Audit& audit, const std::string& cell, double least_kg);
+
 /// Looks for faults of a rig in its records without fitting the car, see AuditEquations. What a good rig may be off by
 /// (`tolerance`) counts as noise that all readings of a channel share, so that a fault counts by how far it is beyond
 /// that; all noise is widened by `misfit` where that is above 1. The fault that explains most is taken out, and the
-/// search goes on, at most four times.
+/// search goes on, at most four times. Where channels contradict each other then, wheelpans are sought that resolve it.
 Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance = {});
 
 }  // namespace fourpost

@@ -39,6 +39,16 @@ double Loudest(const AuditedCar& car, const AuditedRun& run, Device device, std:
   return loudest;
 }
 
+/// On the tyre [N/m], with its wheelpan as the unknown parameters make it.
+Complex ForceOf(const AuditSubject& subject, const AuditedRun& run, std::size_t t, std::size_t f,
+                const Eigen::VectorXd& unknowns) {
+  const AuditedTyre& tyre = subject.car.tyres[t];
+  const Complex force = run.forces(At(t), At(f));
+  if (tyre.wheelpan_slope.size() == 0) return force;
+  const auto changes = unknowns.segment(kOfTyre * At(subject.car.tyres.size()), subject.car.reach.size());
+  return force + std::pow(Omega(run, f), 2) * tyre.wheelpan_slope.dot(changes) * run.posts(At(tyre.post), At(f));
+}
+
 Eigen::VectorXcd WeightedReadings(const AuditSubject& subject, const std::vector<std::size_t>& sensors,
                                   const std::vector<std::size_t>& tyres, const Eigen::VectorXd& sd, std::size_t r,
                                   std::size_t f, const Eigen::VectorXd& unknowns) {
@@ -52,7 +62,7 @@ Eigen::VectorXcd WeightedReadings(const AuditSubject& subject, const std::vector
     const double* of = unknowns.data() + kOfTyre * At(t);
     const double per = omega / kUsualRate;
     const Complex compliance = tyre.compliance * Complex(of[0] - of[2] * per * per, of[1] * per);
-    readings[row++] = run.posts(At(tyre.post), At(f)) - compliance * run.forces(At(t), At(f));
+    readings[row++] = run.posts(At(tyre.post), At(f)) - compliance * ForceOf(subject, run, t, f, unknowns);
   }
   return readings.array() / sd.array().cast<Complex>();
 }
@@ -191,7 +201,7 @@ Eigen::VectorXd AuditEquations::Misclosures(const AuditSubject& subject, const E
     if (!(point.balance_sd > 0)) continue;
     Complex sum = (BalanceRow(unknowns, omega).cast<Complex>() * q)(0);
     for (std::size_t t = 0; t < car_.tyres.size(); ++t)
-      sum += car_.balance->lever[At(t)] * run.forces(At(t), At(point.frequency)) / (omega * omega);
+      sum += car_.balance->lever[At(t)] * ForceOf(subject, run, t, point.frequency, unknowns) / (omega * omega);
     put(sum / point.balance_sd);
   }
   if (subject.weight)

@@ -26,7 +26,8 @@ double ReadingSd(const AuditedCar& car, const AuditedRun& run, const RigToleranc
 ///   motions, for a centre of mass that is elsewhere, and of all as w^2 grows, for parts that give way (a power unit on
 ///   its mounts);
 /// - weight at rest: that of the same masses.
-/// What the readings leave over, over its standard deviation, is free of q; the unknown numbers are common to all
+/// A load cell feels its wheelpan beside the force, of a mass that is unknown within its reach where a parameter sets
+/// it. What the readings leave over, over its standard deviation, is free of q; the unknown numbers are common to all
 /// recordings and frequencies.
 class AuditEquations {
  public:

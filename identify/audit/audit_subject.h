@@ -38,6 +38,10 @@ struct AuditedTyre {
   double compliance = 0;
   /// Name of its load cell; empty: none.
   std::string cell;
+  /// Mass between load cell and tyre in the vehicle's file [kg].
+  double wheelpan = 0;
+  /// Its change by each parameter of AuditedCar::reach [kg per unit]; empty: none.
+  Eigen::VectorXd wheelpan_slope;
 };
 
 /// The car moves up as a whole, without any inner deformation: tyre forces balance inertia and gravity,
@@ -68,7 +72,8 @@ struct AuditedCar {
   std::vector<AuditedSensor> sensors;
   std::vector<AuditedTyre> tyres;
   std::optional<AuditedBalance> balance;
-  /// How far each parameter of inertia may be from its value in the vehicle's file, as a standard deviation.
+  /// How far each parameter of inertia or of wheelpans may be from its value in the vehicle's file, as a standard
+  /// deviation.
   Eigen::VectorXd reach;
 };
 
@@ -81,7 +86,8 @@ struct AuditedRun {
   /// Sensors x frequencies, normalised as AuditedSensor says; standard deviations of a real part.
   Eigen::MatrixXcd motions;
   Eigen::MatrixXd motion_sd;
-  /// Tyres x frequencies: readings of the load cells [N/m] without the inertia of wheelpans, more load positive.
+  /// Tyres x frequencies: readings of the load cells [N/m] without the inertia of the file's wheelpans, more load
+  /// positive.
   Eigen::MatrixXcd forces;
   Eigen::MatrixXd force_sd;
   /// Whether standard deviations are those of noise that was measured.

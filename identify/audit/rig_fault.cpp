@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "identify/audit/free_wheelpans.h"
+
 namespace fourpost {
 namespace {
 
@@ -52,6 +54,7 @@ class FaultList {
     for (std::size_t t = 0; t < subject_.car.tyres.size(); ++t)
       if (IsMeasured(subject_, Where::kCells, t)) cells.push_back(t);
     AddDevice(Where::kCells, NameOf(Device::kLoadCells), cells);
+    AddWheelpans(StatedWheelpans(subject_));
     AddPosts();
     if (!subject_.car.balance || cells.size() < subject_.car.tyres.size()) return std::move(faults_);
     if (subject_.weight)
@@ -96,6 +99,20 @@ class FaultList {
                .axis = axis,
                .name = subject_.car.sensors[member].name,
                .allowed = tolerance_.place});
+  }
+
+  /// Each, and the same mass under all; not those that a parameter sets, which are unknown anyway.
+  void AddWheelpans(const std::vector<std::size_t>& cells) {
+    const auto add = [&](std::vector<std::size_t> members, std::string name) {
+      const double in_file = subject_.car.tyres[members.front()].wheelpan;
+      Add({.kind = Kind::kWheelpan,
+           .where = Where::kCells,
+           .members = std::move(members),
+           .name = std::move(name),
+           .allowed = std::hypot(tolerance_.wheelpan, tolerance_.wheelpan_share * in_file)});
+    };
+    for (const std::size_t cell : cells) add({cell}, Name(Where::kCells, cell));
+    if (cells.size() > 1) add(cells, std::string("all ") + NameOf(Device::kLoadCells));
   }
 
   void AddPosts() {
@@ -146,6 +163,17 @@ void Hasten(AuditSubject& subject, const RigFault& fault, double value) {
             std::polar(1.0, 2 * std::numbers::pi * run.frequency_Hz[f] * value);
 }
 
+void TakeOutWheelpan(AuditSubject& subject, const RigFault& fault, double kg) {
+  for (AuditedRun& run : subject.runs)
+    for (const std::size_t m : fault.members)
+      for (std::size_t f = 0; f < run.frequency_Hz.size(); ++f) {
+        const auto at = static_cast<Eigen::Index>(f);
+        const auto post = static_cast<Eigen::Index>(subject.car.tyres[m].post);
+        run.forces(static_cast<Eigen::Index>(m), at) +=
+            kg * std::pow(2 * std::numbers::pi * run.frequency_Hz[f], 2) * run.posts(post, at);
+      }
+}
+
 void Exchange(AuditSubject& subject, const RigFault& fault) {
   const auto a = static_cast<Eigen::Index>(fault.members[0]);
   const auto b = static_cast<Eigen::Index>(fault.members[1]);
@@ -173,6 +201,7 @@ AuditSubject Corrected(AuditSubject subject, const RigFault& fault, double value
   switch (fault.kind) {
     case Kind::kScale: Scale(subject, fault, value); break;
     case Kind::kDelay: Hasten(subject, fault, value); break;
+    case Kind::kWheelpan: TakeOutWheelpan(subject, fault, value); break;
     case Kind::kExchange: Exchange(subject, fault); break;
     case Kind::kOther: LeaveOut(subject, fault); break;
     case Kind::kPlace: {

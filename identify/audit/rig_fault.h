@@ -17,6 +17,8 @@ struct RigFault {
     kDelay,
     /// A sensor sits `value` metres further along an axis than its file says.
     kPlace,
+    /// Load cells feel `value` kilograms more, which move with their posts, than their wheelpans in the file have.
+    kWheelpan,
     /// Two channels are exchanged.
     kExchange,
     /// A channel is not what its name says.
@@ -51,6 +53,9 @@ struct RigTolerance {
   /// Of the weight at rest, beside its own standard deviation.
   double weight = 0.002;
   double frequency = 0.001;
+  /// Of a wheelpan [kg], of which the tread of a tyre is a part, and as a share of what the file has.
+  double wheelpan = 0.5;
+  double wheelpan_share = 0.02;
   /// Of each reading, independent from one frequency to the next: bodies bend, lines are not quite straight. Share of
   /// the reading, and of the loudest of its device.
   double reading = 0.001;

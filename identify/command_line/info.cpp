@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "analysis/files/json_text.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
@@ -30,7 +32,8 @@ int Run(const InfoCommand& command) {
   else if (!files.empty()) PrintText(AllText(files));
   if (faults.HasErrors()) throw FaultyInput(faults);
   Tell(faults);
-  return kGood;
+  const auto is_refused = [](const DescribedFile& file) { return file.is_refused; };
+  return std::any_of(files.begin(), files.end(), is_refused) ? kUnreadableInput : kGood;
 }
 
 }  // namespace fourpost

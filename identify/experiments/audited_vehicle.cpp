@@ -191,6 +191,7 @@ AuditedVehicle::AuditedVehicle(const Subject& subject)
   AddSensors(subject);
   AddTyres();
   AddInertia(subject);
+  AddWheelpans();
 }
 
 void AuditedVehicle::AddSensors(const Subject&) {
@@ -276,6 +277,33 @@ void AuditedVehicle::AddInertia(const Subject& subject) {
   weight_.slope = Eigen::Map<const Eigen::VectorXd>(slopes.data(), static_cast<Eigen::Index>(slopes.size()));
 }
 
+void AuditedVehicle::AddWheelpans() {
+  wheelpan_slopes_.assign(vehicle_.sensors.size(), {});
+  const std::vector<double> values = vehicle_.ParameterValues();
+  for (std::size_t j = 0; j < vehicle_.parameters.size(); ++j) {
+    const double reach = ReachOf(vehicle_.parameters[j]);
+    std::vector<double> moved = values;
+    moved[j] += reach;
+    const auto change = [&](const Sensor& sensor) {
+      return reach > 0 ? (sensor.wheelpan.At(moved) - sensor.wheelpan.At(values)) / reach : 0.0;
+    };
+    if (std::all_of(vehicle_.sensors.begin(), vehicle_.sensors.end(), [&](const Sensor& s) { return change(s) == 0; }))
+      continue;
+    const Eigen::Index count = audited_.car.reach.size() + 1;
+    audited_.car.reach.conservativeResize(count);
+    audited_.car.reach[count - 1] = reach;
+    for (std::size_t s = 0; s < vehicle_.sensors.size(); ++s) {
+      wheelpan_slopes_[s].conservativeResizeLike(Eigen::VectorXd::Zero(count));
+      wheelpan_slopes_[s][count - 1] = change(vehicle_.sensors[s]);
+    }
+    if (!audited_.car.balance) continue;
+    AuditedBalance& balance = *audited_.car.balance;
+    balance.inertia_slope.emplace_back(Eigen::RowVectorXd::Zero(audited_.car.coordinates));
+    balance.gravity_slope.emplace_back(Eigen::RowVectorXd::Zero(audited_.car.coordinates));
+    weight_.slope.conservativeResizeLike(Eigen::VectorXd::Zero(count));
+  }
+}
+
 AuditedRun AuditedVehicle::Blank(std::string name, std::vector<double> frequency_Hz) const {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto points = static_cast<Eigen::Index>(frequency_Hz.size());
@@ -300,8 +328,9 @@ void AuditedVehicle::Put(AuditedRun& run, std::size_t sensor, std::size_t freque
     if (row < 0 || row >= run.forces.rows()) return;
     AuditedTyre& tyre = audited_.car.tyres[static_cast<std::size_t>(row)];
     tyre.cell = vehicle_.sensors[sensor].name;
-    const double wheelpan = vehicle_.sensors[sensor].wheelpan.At(vehicle_.ParameterValues());
-    run.forces(row, f) = reading + omega * omega * wheelpan * run.posts(static_cast<Eigen::Index>(tyre.post), f);
+    tyre.wheelpan = vehicle_.sensors[sensor].wheelpan.At(vehicle_.ParameterValues());
+    tyre.wheelpan_slope = wheelpan_slopes_[sensor];
+    run.forces(row, f) = reading + omega * omega * tyre.wheelpan * run.posts(static_cast<Eigen::Index>(tyre.post), f);
     run.force_sd(row, f) = sd;
     return;
   }

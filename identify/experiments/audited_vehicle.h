@@ -39,12 +39,15 @@ class AuditedVehicle {
   void AddSensors(const Subject& subject);
   void AddTyres();
   void AddInertia(const Subject& subject);
+  void AddWheelpans();
 
   const Vehicle& vehicle_;
   CondensedModel model_;
   AuditSubject audited_;
   /// Of each sensor of the vehicle its place among the audited ones, or its tyre; -1: neither.
   std::vector<int> place_of_sensor_;
+  /// Of each sensor of the vehicle, as AuditedTyre::wheelpan_slope.
+  std::vector<Eigen::VectorXd> wheelpan_slopes_;
   /// Of the loads so far.
   AuditedWeight weight_;
   std::size_t loads_ = 0;

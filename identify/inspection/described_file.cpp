@@ -1,7 +1,10 @@
 #include "identify/inspection/described_file.h"
 
+#include <algorithm>
+
 #include "identify/inspection/file_kind.h"
 #include "identify/inspection/noise_at_rest.h"
+#include "identify/study/audit_text.h"
 #include "identify/study/experiment_kinds.h"
 #include "identify/study/loaded_study.h"
 #include "identify/study/study_audit.h"
@@ -38,6 +41,8 @@ std::optional<DescribedFile> DescribeStudy(const std::filesystem::path& file, Di
                                  {"audit", audit ? AuditJson(*audit) : Json()},
                                  {"warnings", WarningsJson(described.findings)}});
   described.text = audit ? AuditText(*audit) : NoAuditText(*study, described.findings);
+  described.is_refused =
+      std::any_of(described.findings.items().begin(), described.findings.items().end(), ContradictsAnAudit);
   described.text += NoiseAtRestText(*study);
   for (const Diagnostic& finding : described.findings.ByWeight()) described.text += Format(finding) + '\n';
   return described;

@@ -19,6 +19,9 @@ struct DescribedFile {
   nlohmann::ordered_json json;
   /// Of a study: what its channels say against each other.
   Diagnostics findings;
+  /// Of a study whose recordings contradict what it says of posts and amplitudes: a fit refuses it, and there is no
+  /// audit.
+  bool is_refused = false;
 };
 
 /// A recording, or a study, whose channels are compared with each other. Adds every fault to `faults`; nothing where it

@@ -28,6 +28,8 @@ std::string FaultText(const Json& fault) {
   if (kind == "delay") return "comes " + amount + " ms " + (size > 0 ? "late" : "early");
   if (kind == "position")
     return "sits " + amount + " m further along " + (size > 0 ? "+" : "\u2212") + TextAt(fault, "axis");
+  if (kind == "wheelpan")
+    return "feels " + amount + " kg " + (size > 0 ? "more" : "less") + " of a wheelpan than stated";
   return kind == "exchange" ? "are exchanged" : "measures something else";
 }
 

@@ -49,7 +49,16 @@ std::string TogetherOf(const Json& result) {
 
 std::string MostLikelyMissing(const Json& result) {
   const std::vector<Json> missing = MissingOf(result);
+  if (const std::string correction = LikeliestCorrection(result); !correction.empty())
+    return " Most probably a channel is off: " + correction + '.';
   return missing.empty() ? "" : " The model most probably lacks " + AdditionText(missing.front()) + '.';
+}
+
+std::string LikeliestCorrection(const Json& result) {
+  const std::vector<Json> missing = MissingOf(result);
+  if (missing.empty()) return "";
+  const std::string mechanism = TextAt(missing.front(), "mechanism");
+  return mechanism == "delay" || mechanism == "scale" ? AdditionText(missing.front()) : "";
 }
 
 std::string WhatIsMissing(const Json& result, bool is_misfit_large) {

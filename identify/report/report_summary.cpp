@@ -274,6 +274,10 @@ std::string OnMisfit(const Json& result, const ReportRemarks& remarks, const Fit
     return "Residuals are larger than their stated standard deviations, yet no part of the data contradicts another. "
            "State the "
            "noise that the recordings have.";
+  if (const std::string correction = LikeliestCorrection(result); !correction.empty())
+    return "Check the wiring: " + correction +
+           " explains more of the residuals than any mechanism that was tried. Correct it in the study and fit again "
+           "before you add one.";
   if (const std::string place = AtWorstPlace(overview, remarks.is_wiring_cleared); !place.empty()) return place;
   return "Check sign, scale, delay and position of the channels with large residuals. If they are right, the model "
          "lacks a mechanism: fit a richer one to the same recordings and compare the runs.";

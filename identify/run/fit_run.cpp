@@ -19,6 +19,7 @@
 #include "identify/run/result_json.h"
 #include "identify/run/result_kind.h"
 #include "identify/run/study_fit.h"
+#include "identify/study/audit_text.h"
 #include "identify/study/experiment_kinds.h"
 #include "identify/study/findings.h"
 #include "identify/study/loaded_study.h"

@@ -69,6 +69,9 @@ inline const Finding kRigClock{"rig-clock", Severity::kWarning,
 inline const Finding kRigLoads{"rig-loads", Severity::kWarning,
                                "loads at rest contradict forces and accelerations: {}{} ({})",
                                "check the tare and the scale of the load cells", Weight::kGrave};
+inline const Finding kRigWheelpan{"rig-wheelpan", Severity::kWarning,
+                                  "the other channels contradict a wheelpan: {}{} ({})",
+                                  "weigh it and correct `wheelpan` at fp:sensor in the vehicle file", Weight::kGrave};
 inline const Finding kRigForeign{"rig-foreign", Severity::kWarning, "the other channels agree without one: {}{} ({})",
                                  "check which channel it is, and whether it is dead or clipped", Weight::kGrave};
 inline const Finding kRigContradiction{

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
-#include "analysis/files/json_text.h"
 #include "analysis/text/short_number.h"
-#include "analysis/text/text_table.h"
 #include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/experiments/four_post/study_recording.h"
+#include "identify/experiments/four_post/wheelpan_lint.h"
 #include "identify/experiments/time_history/time_histories.h"
+#include "identify/study/audit_text.h"
 #include "identify/study/findings.h"
 #include "identify/study_file/channel_source_text.h"
 #include "identify/study_file/thousandfold.h"
@@ -22,12 +21,10 @@
 namespace fourpost {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Kind = RigFault::Kind;
 using Where = RigFault::Where;
 
 constexpr double kMilli = 1e3;
-constexpr double kPercent = 100;
 
 /// What is left over, over its noise, when no fault that is known explains it.
 constexpr double kContradiction = 2;
@@ -45,7 +42,8 @@ constexpr std::array kKnownFactors = {
 
 /// Of recorded over true, or its reciprocal; null where it is none of a unit.
 const KnownFactor* KnownOf(double factor) {
-  constexpr double kNear = 0.02;
+  // Sensors that are right but for their unit are off by some per cent: a strut of the Land Rover's by 2 %.
+  constexpr double kNear = 0.03;
   for (const KnownFactor& known : kKnownFactors)
     for (const double one : {known.factor, 1 / known.factor})
       if (std::abs(factor / one - 1) < kNear) return &known;
@@ -54,11 +52,6 @@ const KnownFactor* KnownOf(double factor) {
 
 /// Recorded over true.
 double FactorOf(double size) { return 1 / (1 + size); }
-
-const char* AxisName(int axis) {
-  constexpr std::array kNames = {"x", "y", "z"};
-  return kNames[static_cast<std::size_t>(axis)];
-}
 
 /// "'a_cg' reads 1.03 times the true value"
 std::string Words(const RigFault& fault, double size) {
@@ -70,10 +63,20 @@ std::string Words(const RigFault& fault, double size) {
     case Kind::kPlace:
       return "'" + fault.name + "' sits " + ShortNumber(std::abs(size), 2) + " m further along " +
              (size > 0 ? "+" : "-") + AxisName(fault.axis);
+    case Kind::kWheelpan:
+      return "'" + fault.name + "' feels " + ShortNumber(std::abs(size), 2) + " kg " + (size > 0 ? "more" : "less") +
+             " than the wheelpan in the vehicle file";
     case Kind::kExchange: return fault.name + " are exchanged";
     case Kind::kOther: return "'" + fault.name + "' measures something else";
   }
   return "";
+}
+
+/// "wheelpan of 'F_tyre': about 14.0 kg (standard deviation 0.2 kg), 10 kg in the vehicle file"
+std::string WheelpanWords(const Suspicion& suspicion) {
+  const double kg = suspicion.wheelpan_kg + suspicion.size;
+  return "wheelpan of '" + suspicion.fault.name + "': about " + MassText(kg, suspicion.sd) + ", " +
+         ShortNumber(suspicion.wheelpan_kg, 3) + " kg in the vehicle file";
 }
 
 std::string RivalWords(const Suspicion& suspicion) {
@@ -90,6 +93,7 @@ const Finding& KindOf(const RigFault& fault, double size) {
     case Kind::kOther: return kRigForeign;
     case Kind::kDelay: return fault.where == Where::kPosts ? kRigPostsDelay : kRigDelay;
     case Kind::kPlace: return kRigPlace;
+    case Kind::kWheelpan: return kRigWheelpan;
     case Kind::kScale: break;
   }
   if (fault.where == Where::kClock) return kRigClock;
@@ -188,41 +192,17 @@ std::string Sure(const Suspicion& suspicion) {
   return sure + "the next best explanation " + ShortNumber(std::sqrt(suspicion.next_score), 2) + " sd";
 }
 
-const char* KindName(Kind kind) {
-  switch (kind) {
-    case Kind::kScale: return "scale";
-    case Kind::kDelay: return "delay";
-    case Kind::kPlace: return "position";
-    case Kind::kExchange: return "exchange";
-    case Kind::kOther: return "other channel";
-  }
-  return "";
-}
-
 /// What an audit calls the instruments that a calibration is of.
 std::string GroupName(const std::string& calibrated) {
   if (calibrated == "load_cells") return "load cells";
   return calibrated;
 }
 
-/// As a user counts it: recorded over true less one, seconds, metres.
-double SizeOf(const RigFault& fault, double size) { return fault.kind == Kind::kScale ? FactorOf(size) - 1 : size; }
-
-Json FaultJson(const RigFault& fault, double size) {
-  Json json = {{"kind", KindName(fault.kind)}, {"of", fault.name}, {"size", SizeOf(fault, size)}};
-  json["axis"] = fault.kind == Kind::kPlace ? Json(AxisName(fault.axis)) : Json(nullptr);
-  return json;
-}
-
-/// Sizes from which on faults of one thing are seen.
-struct Seen {
-  std::string scale;
-  std::string delay;
-  std::string place;
-};
-
-std::string SeenText(const Resolution& resolution, double unit, int digits) {
-  return std::isfinite(resolution.sd) ? ShortNumber(unit * resolution.Seen(), digits) : "-";
+/// The checks of the recordings say the same, with the same mass.
+bool HasWheelpanFinding(const Diagnostics& found) {
+  return std::any_of(found.items().begin(), found.items().end(), [](const Diagnostic& finding) {
+    return finding.id == kWheelpanForgotten.id() || finding.id == kWheelpanTakenOut.id();
+  });
 }
 
 /// Whether the study states a calibration that allows for it: the fit then knows.
@@ -236,7 +216,7 @@ bool IsStated(const LoadedStudy& study, const Suspicion& suspicion) {
         const bool is_kind = (fault.kind == Kind::kScale && calibration.kind == Calibration::Kind::kGain) ||
                              (fault.kind == Kind::kDelay && calibration.kind == Calibration::Kind::kDelay);
         return is_kind && GroupName(calibration.of) == group &&
-               std::abs(SizeOf(fault, suspicion.size)) <= kAllowed * calibration.sd;
+               std::abs(CountedSize(fault, suspicion.size)) <= kAllowed * calibration.sd;
       });
 }
 
@@ -247,9 +227,6 @@ AuditSubject WithLessNoise(AuditSubject subject, double share) {
     if (!run.is_noise_known) run.motion_sd *= std::max(kLeast, share);
   return subject;
 }
-
-/// The clock's scale is that of the frequencies.
-std::string ShownName(const std::string& name) { return name == "frequency" ? "(all frequencies)" : name; }
 
 }  // namespace
 
@@ -269,7 +246,10 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
     if (IsStated(study, suspicion)) continue;
     const Finding& kind = KindOf(suspicion.fault, suspicion.size);
     const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
-    std::vector<std::string> words = {Words(suspicion.fault, suspicion.size), RivalWords(suspicion), Sure(suspicion)};
+    const bool is_wheelpan = suspicion.fault.kind == Kind::kWheelpan;
+    if (is_wheelpan && HasWheelpanFinding(diagnostics)) continue;
+    std::vector<std::string> words = {is_wheelpan ? WheelpanWords(suspicion) : Words(suspicion.fault, suspicion.size),
+                                      RivalWords(suspicion), Sure(suspicion)};
     if (&kind == &kRigUnit) {
       words.emplace_back(KnownOf(FactorOf(suspicion.size))->words);
       words.push_back(UnitCorrection(study, suspicion));
@@ -284,17 +264,14 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
 }
 
 bool ContradictsAnAudit(const Diagnostic& finding) {
-  return finding.id == kPostsMoveOtherwise.id() || finding.id == kWheelpanForgotten.id() ||
-         finding.id == kWheelpanTakenOut.id() || finding.id == kRigAmplitude.id() ||
+  return finding.id == kPostsMoveOtherwise.id() || finding.id == kRigAmplitude.id() ||
          finding.id == kSineThousandfold.id();
 }
 
 std::string NoAuditText(const LoadedStudy& study, const Diagnostics& findings) {
   const std::vector<Diagnostic>& all = findings.items();
   if (const auto found = std::find_if(all.begin(), all.end(), ContradictsAnAudit); found != all.end())
-    return "no audit of the rig: it takes amplitudes, motions of posts and wheelpans as stated, and they are not; "
-           "correct "
-           "[" +
+    return "no audit of the rig: it takes amplitudes and motions of posts as stated, and they are not; correct [" +
            found->id + "] first\n";
   const TimeHistories* const histories = study.study.experiments.Find<TimeHistories>();
   std::string unfit;
@@ -309,85 +286,6 @@ std::string NoAuditText(const LoadedStudy& study, const Diagnostics& findings) {
            "neither; look at each file by `fourpost info FILE`\n";
   return "no audit of the rig: it needs eight seconds without a gap in which posts move, or stepped sines: " + unfit +
          "; record such a motion\n";
-}
-
-std::string AuditText(const Audit& audit) {
-  if (!audit.is_redundant)
-    return "audit of the rig: no channel can be checked by others, as they measure no more motions than the car has; "
-           "add sensors of a motion that others measure too, such as displacement and acceleration of one point, or "
-           "load cells under all tyres\n";
-  std::map<std::string, Seen> seen;
-  std::vector<std::string> order;
-  std::string open;
-  for (const Resolution& resolution : audit.resolutions) {
-    const RigFault& fault = resolution.fault;
-    if (!seen.count(fault.name)) order.push_back(fault.name);
-    Seen& entry = seen[fault.name];
-    if (fault.kind == Kind::kScale) entry.scale = SeenText(resolution, kPercent, 2);
-    if (fault.kind == Kind::kDelay) entry.delay = SeenText(resolution, kMilli, 2);
-    if (fault.kind == Kind::kPlace && fault.axis == 0) entry.place = SeenText(resolution, kPercent, 2);
-    if (!std::isfinite(resolution.sd) && fault.kind != Kind::kPlace)
-      open += std::string(open.empty() ? "" : ", ") + KindName(fault.kind) + " of " + fault.name;
-  }
-  std::sort(order.begin(), order.end());
-  TextTable table(
-      {"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]", "position (x) from [cm]"});
-  for (const std::string& name : order) {
-    double rest = 0;
-    double expected = 0;
-    int count = 0;
-    for (const ChannelRest& channel : audit.channels)
-      if (channel.name == name) {
-        rest = std::max(rest, channel.share);
-        expected = std::max(expected, channel.expected);
-        ++count;
-      }
-    table.Add({ShownName(name), count > 0 ? ShortNumber(kPercent * rest, 2) : "",
-               count > 0 ? ShortNumber(kPercent * expected, 2) : "", seen[name].scale, seen[name].delay,
-               seen[name].place});
-  }
-  return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
-         table.Format() + "left over: root mean square, of the worst recording; misfit " +
-         ShortNumber(audit.misfit, 2) +
-         (audit.is_noise_known
-              ? " (about 1 or less is expected)\n"
-              : " (1 % of each channel without a stated 'noise' is expected; state it to see more)\n") +
-         (open.empty() ? "" : "not checked, as no other channel depends on it: " + open + '\n') +
-         "not checked: amplitudes of posts where responses are relative to them, and mean offsets\n";
-}
-
-Json AuditJson(const Audit& audit) {
-  Json channels = Json::array();
-  for (const ChannelRest& channel : audit.channels)
-    channels.push_back({{"name", channel.name},
-                        {"recording", channel.run},
-                        {"left_over", NumberOrNull(channel.share)},
-                        {"expected", NumberOrNull(channel.expected)}});
-  Json suspicions = Json::array();
-  for (const Suspicion& suspicion : audit.suspicions) {
-    Json json = FaultJson(suspicion.fault, suspicion.size);
-    json["sd"] = suspicion.sd;
-    json["score"] = suspicion.score;
-    json["next_score"] = suspicion.next_score;
-    json["rivals"] = Json::array();
-    for (const Suspicion::Rival& rival : suspicion.rivals) {
-      json["rivals"].push_back(FaultJson(rival.fault, rival.size));
-      json["rivals"].back()["score"] = rival.score;
-    }
-    suspicions.push_back(std::move(json));
-  }
-  Json resolutions = Json::array();
-  for (const Resolution& resolution : audit.resolutions) {
-    Json json = FaultJson(resolution.fault, 0);
-    json.erase("size");
-    json["allowed_sd"] = resolution.fault.allowed;
-    json["seen_from"] = NumberOrNull(resolution.Seen());
-    resolutions.push_back(std::move(json));
-  }
-  return {{"misfit", NumberOrNull(audit.misfit)},
-          {"channels", channels},
-          {"suspicions", suspicions},
-          {"resolutions", resolutions}};
 }
 
 }  // namespace fourpost

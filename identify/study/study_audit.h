@@ -3,8 +3,6 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "analysis/text/diagnostics.h"
 #include "identify/audit/audit.h"
 #include "identify/study/loaded_study.h"
@@ -16,7 +14,7 @@ namespace fourpost {
 /// FaultyInput when the vehicle cannot be assembled.
 std::optional<Audit> AuditStudy(const LoadedStudy& study);
 
-/// Of what an audit takes as stated: the motion of the posts, and the masses on load cells.
+/// Of what an audit takes as stated: the motion of the posts.
 bool ContradictsAnAudit(const Diagnostic& finding);
 
 /// Which condition of an audit a study without one does not meet, and what to do; `findings`: those of the checks.
@@ -25,11 +23,5 @@ std::string NoAuditText(const LoadedStudy& study, const Diagnostics& findings);
 /// One finding for each suspicion, at the channel's line of the study; what is certain (a sign, an exchange, a unit
 /// that nothing else explains) as `certain`.
 void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics);
-
-/// What each channel leaves over, and from which size on a fault of it would be seen.
-std::string AuditText(const Audit& audit);
-
-/// `audit` of result.json and of `fourpost info STUDY`.
-nlohmann::ordered_json AuditJson(const Audit& audit);
 
 }  // namespace fourpost

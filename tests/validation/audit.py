@@ -166,7 +166,8 @@ def seed_fault(kind, study, folder, draw):
 
 def audit(program, study):
     outcome = subprocess.run([str(program), "info", str(study), "--json"], capture_output=True, text=True)
-    if outcome.returncode not in (0, 1):
+    # 3: a fit refuses it, and there is no audit.
+    if outcome.returncode not in (0, 1, 3):
         raise RuntimeError(outcome.stderr[-2000:])
     return json.loads(outcome.stdout)["files"][0]
 
@@ -179,6 +180,10 @@ def words(suspicions):
 def named(suspicion, kind, expected):
     kinds = {NAMES[kind], "other channel"} if kind == "clipping 1 %" else {NAMES[kind]}
     return suspicion["kind"] in kinds and any(suspicion["of"].startswith(one) for one in expected)
+
+
+# Of a study that the checks before it refuse.
+NO_AUDIT = {"suspicions": [], "misfit": math.nan}
 
 
 def run_sets(options):
@@ -196,13 +201,13 @@ def run_sets(options):
             shutil.copytree(kept, folder)
             study = repeated_study(model, folder)
             draw = random.Random(f"fault {number}")
-            clean = audit(options.program, study)["audit"]
+            clean = audit(options.program, study)["audit"] or NO_AUDIT
             out.writerow([number, model, "none", "", "", "", int(bool(clean["suspicions"])), f"{clean['misfit']:.2f}",
                           words(clean["suspicions"])])
             kind = KINDS[(number // len(models)) % len(KINDS)]
             expected = seed_fault(kind, study, folder, draw)
             if expected:
-                faulty = audit(options.program, study)["audit"]
+                faulty = audit(options.program, study)["audit"] or NO_AUDIT
                 found = faulty["suspicions"]
                 first = bool(found) and named(found[0], kind, expected)
                 among = any(named(s, kind, expected) or any(named(r, kind, expected) for r in s["rivals"]) for s in found)
@@ -373,7 +378,8 @@ def run_table(options):
             random_cars.study("model2", folder)
             change(folder)
             result = audit(options.program, folder / "model2.yaml")
-            out.writerow([name, words(result["audit"]["suspicions"]), f"{result['audit']['misfit']:.2f}",
+            found = result["audit"]
+            out.writerow([name, words(found["suspicions"]) if found else "", f"{found['misfit']:.2f}" if found else "",
                           " ".join(warning["id"] for warning in result["warnings"])])
             sys.stdout.flush()
 

@@ -123,8 +123,9 @@ inline const Finding kStationStray{
     "check its position in the vehicle file, its sign, its scale, and that it is this channel"};
 inline const Finding kWheelpanForgotten{
     "wheelpan-forgotten", Severity::kWarning,
-    "load cells feel the inertia of a mass that moves with the post, a wheelpan that the vehicle file does not have: "
-    "{}",
+    "load cells feel the inertia of a mass that moves with the post, a wheelpan that the vehicle file does not have, "
+    "or "
+    "not as heavy: {}",
     "write `wheelpan=\"{} kg\"` at fp:sensor there{}, or subtract the inertia from the recording"};
 inline const Finding kWheelpanTakenOut{"wheelpan-taken-out", Severity::kWarning,
                                        "load cells lack the inertia of a wheelpan: {}",

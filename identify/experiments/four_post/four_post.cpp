@@ -186,6 +186,12 @@ bool FourPost::MeasuresForce() const {
   });
 }
 
+Audit FourPost::AuditOf(const Subject& subject) const {
+  AuditedVehicle audited(subject);
+  AddRecordings(audited);
+  return AuditRig(audited.audited());
+}
+
 void FourPost::Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const {
   const Vehicle& vehicle = subject.vehicle();
   const CondensedModel model = subject.Condensed()->At(vehicle.ParameterValues());
@@ -195,14 +201,13 @@ void FourPost::Check(const Subject& subject, Severity wrong_posts, Diagnostics& 
   LintSineUnits(plan, vehicle, in_band, ModelledResponses(model, vehicle.sensors, in_band), wrong_posts, diagnostics);
   const std::vector<MeasuredRun> sure = LintRuns({plan, vehicle, model, wrong_posts}, runs, diagnostics);
   ChannelWarnings warnings(plan.file, plan.channels, diagnostics);
-  LintWheelpans(vehicle, sure, ModelledResponses(model, vehicle.sensors, sure), warnings);
+  const auto audit = [&] { return AuditOf(subject); };
+  LintWheelpans(vehicle, sure, ModelledResponses(model, vehicle.sensors, sure), audit, warnings);
 }
 
 void FourPost::CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const {
   const auto is_cleared = [&](const std::vector<std::string>& channels) {
-    AuditedVehicle audited(subject);
-    AddRecordings(audited);
-    return ClearsChannels(AuditRig(audited.audited()), channels);
+    return ClearsChannels(AuditOf(subject), channels);
   };
   LintChannels(plan, RunsInBand(), subject.vehicle(), subject.Condensed()->At(fit.values), is_cleared, diagnostics);
 }

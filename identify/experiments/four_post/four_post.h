@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "identify/audit/audit.h"
 #include "identify/experiments/experiment.h"
 #include "identify/experiments/four_post/four_post_data.h"
 #include "identify/experiments/four_post/response_discrepancy.h"
@@ -45,6 +46,9 @@ class FourPost : public Experiment {
   bool Reads(const RecordedTable& table) const override;
   std::optional<ExperimentResults> Predict(const Subject& subject, const PredictionRequest& request,
                                            const WorkHooks& hooks) const override;
+
+  /// Of these recordings alone.
+  Audit AuditOf(const Subject& subject) const;
 
   /// The runs at the frequencies of the band.
   std::vector<MeasuredRun> RunsInBand() const;

@@ -34,6 +34,16 @@ std::vector<ComparedChannel> ChannelsOf(const RunFolder& run) {
   return text == nullptr ? std::vector<ComparedChannel>() : ReadResponseTable(*text, run.FileNamed(kResponses));
 }
 
+/// Something of the wiring would have been seen, and the channels agree.
+bool IsWiringCleared(const nlohmann::json& audit) {
+  // Beyond it, channels contradict each other for a reason that is no known fault.
+  constexpr double kAgree = 2;
+  const std::vector<nlohmann::json> resolutions = ListAt(audit, "resolutions");
+  return ListAt(audit, "suspicions").empty() && NumberAt(audit, "misfit") <= kAgree &&
+         std::any_of(resolutions.begin(), resolutions.end(),
+                     [](const nlohmann::json& one) { return std::isfinite(NumberAt(one, "seen_from")); });
+}
+
 bool HasNumbers(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
@@ -132,7 +142,7 @@ class ResponseData : public ExperimentData {
   ReportRemarks Remarks() const override {
     const nlohmann::json audit = result_.value("audit", nlohmann::json());
     ReportRemarks remarks = ResponseRemarks(channels_);
-    remarks.is_wiring_cleared = !ListAt(audit, "resolutions").empty() && ListAt(audit, "suspicions").empty();
+    remarks.is_wiring_cleared = IsWiringCleared(audit);
     remarks.modelled = ListAt(result_, "responses");
     remarks.missing_force = MissingForceRemark(result_);
     return remarks;

@@ -5,11 +5,13 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <Eigen/Core>
 
+#include "analysis/report/shown_number.h"
 #include "analysis/text/short_number.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/real_factor.h"
@@ -29,6 +31,7 @@ double ShareUnder(const Vehicle& vehicle, int tyre, const Excitation& excitation
 /// Force of the difference that grows with the post's acceleration, as a mass.
 struct ExtraMass {
   double kg = 0;
+  double sd = 0;
   /// Of the squares that a wrong rate leaves over, the share that the mass explains.
   double explained = 0;
 };
@@ -83,24 +86,48 @@ ExtraMass ExtraMassOf(const Vehicle& vehicle, const std::vector<MeasuredRun>& ru
   const Eigen::VectorXcd left = y - f * (f.dot(y) / squares);
   const Eigen::VectorXcd mass = a - f * (f.dot(a) / squares);
   const auto [kg, explained] = RealFactorOf(left, mass);
-  return {kg, explained};
+  // Two numbers a frequency, less the factor of the rate and the mass.
+  const double degrees = 2 * static_cast<double>(count) - 3;
+  const double sd = std::sqrt((left - kg * mass).squaredNorm() / degrees / mass.squaredNorm());
+  return {kg, sd, explained};
 }
 
-/// Load cells, and the mass that each feels beside what the vehicle file has [kg].
-using ExtraMasses = std::vector<std::pair<const Sensor*, double>>;
+/// Load cells, and the mass that each feels, or lacks.
+using ExtraMasses = std::vector<std::pair<const Sensor*, ExtraMass>>;
 
-double MeanOf(const ExtraMasses& findings) {
-  double sum = 0;
-  for (const auto& [sensor, kg] : findings) sum += kg;
-  return sum / static_cast<double>(findings.size());
+/// Decimals to which the standard deviation has one digit that counts, 2 at the most.
+int DecimalsOf(double sd) {
+  constexpr int kMost = 2;
+  return sd > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(sd))), 0, kMost) : kMost;
 }
 
-/// "'F_FL' about 24 kg, 'F_FR' about 25 kg"
+ExtraMass MeanOf(const ExtraMasses& findings) {
+  ExtraMass mean;
+  for (const auto& [sensor, extra] : findings) {
+    mean.kg += extra.kg / static_cast<double>(findings.size());
+    mean.sd = std::max(mean.sd, extra.sd);
+  }
+  return mean;
+}
+
+/// "'F_FL' about 24.1 kg (standard deviation 0.3 kg), 'F_FR' about ..."
 std::string InWords(const ExtraMasses& findings) {
   std::string text;
-  for (const auto& [sensor, kg] : findings)
-    text += (text.empty() ? "'" : ", '") + sensor->name + "' about " + ShortNumber(std::abs(kg), 2) + " kg";
+  for (const auto& [sensor, extra] : findings)
+    text += (text.empty() ? "'" : ", '") + sensor->name + "' about " + MassText(std::abs(extra.kg), extra.sd);
   return text;
+}
+
+/// Whether a parameter makes the wheelpan as heavy: no mass is forgotten then.
+bool IsWithinBounds(const Vehicle& vehicle, const Sensor& sensor, double kg) {
+  std::vector<double> lower;
+  std::vector<double> upper;
+  for (const Parameter& parameter : vehicle.parameters) {
+    lower.push_back(parameter.lower);
+    upper.push_back(parameter.upper);
+  }
+  const auto [least, most] = std::minmax(sensor.wheelpan.At(lower), sensor.wheelpan.At(upper));
+  return least <= kg && kg <= most;
 }
 
 /// The vehicle's load cells under the same tyres that have a wheelpan of about this mass; empty unless all have one.
@@ -121,10 +148,10 @@ std::string OthersWithWheelpan(const Vehicle& vehicle, const ExtraMasses& findin
 
 void WarnOfForgotten(const Vehicle& vehicle, const ExtraMasses& findings, ChannelWarnings& warnings) {
   if (findings.empty()) return;
-  const double kg = MeanOf(findings);
-  const std::string others = OthersWithWheelpan(vehicle, findings, kg);
+  const ExtraMass mean = MeanOf(findings);
+  const std::string others = OthersWithWheelpan(vehicle, findings, mean.kg);
   warnings.Report(kWheelpanForgotten, findings.front().first->name,
-                  {InWords(findings), ShortNumber(kg, 2),
+                  {InWords(findings), ShownDecimals(mean.kg, DecimalsOf(mean.sd)),
                    others.empty() ? "" : ", or name in `channels` those that have one (" + others + ")"});
 }
 
@@ -135,8 +162,14 @@ void WarnOfTakenOut(const ExtraMasses& findings, ChannelWarnings& warnings) {
 
 }  // namespace
 
+std::string MassText(double kg, double sd) {
+  const int decimals = DecimalsOf(sd);
+  return ShownDecimals(kg, decimals) + " kg (standard deviation " + ShortNumber(sd, 1) + " kg)";
+}
+
 void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
-                   const std::vector<FrequencyResponse>& modelled, ChannelWarnings& warnings) {
+                   const std::vector<FrequencyResponse>& modelled, const std::function<Audit()>& audit,
+                   ChannelWarnings& warnings) {
   constexpr double kLight_kg = 4;
   // Of the recordings of the Land Rover with and without a wheelpan's inertia, at the files' values: 0.5 to 0.98, and
   // 0.04 at the most.
@@ -147,14 +180,24 @@ void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
   const std::vector<double> values = vehicle.ParameterValues();
   ExtraMasses forgotten;
   ExtraMasses taken_out;
+  std::optional<Audit> audited;
   for (std::size_t s = 0; s < vehicle.sensors.size(); ++s) {
     const Sensor& sensor = vehicle.sensors[s];
     if (sensor.type != Sensor::Type::kLoadCell) continue;
-    const ExtraMass extra = ExtraMassOf(vehicle, runs, modelled, s);
+    ExtraMass extra = ExtraMassOf(vehicle, runs, modelled, s);
     if (std::abs(extra.kg) < kLight_kg || extra.explained < kMost) continue;
-    if (extra.kg > 0) forgotten.emplace_back(&sensor, extra.kg);
-    else if (-extra.kg > std::max(kOfWheelpan * sensor.wheelpan.At(values), kLightPan_kg))
-      taken_out.emplace_back(&sensor, extra.kg);
+    if (!audited) audited = audit();
+    if (const auto found = WheelpanBy(*audited, sensor.name, std::abs(extra.kg))) {
+      extra.kg = found->kg;
+      extra.sd = found->sd;
+      if (std::abs(extra.kg) < kLight_kg) continue;
+    }
+    const double file_kg = sensor.wheelpan.At(values);
+    if (extra.kg < 0 && -extra.kg > std::max(kOfWheelpan * file_kg, kLightPan_kg))
+      taken_out.emplace_back(&sensor, extra);
+    if (extra.kg < 0) continue;
+    extra.kg += file_kg;
+    if (!IsWithinBounds(vehicle, sensor, extra.kg)) forgotten.emplace_back(&sensor, extra);
   }
   WarnOfForgotten(vehicle, forgotten, warnings);
   WarnOfTakenOut(taken_out, warnings);

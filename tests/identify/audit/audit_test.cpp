@@ -1,5 +1,6 @@
 #include "identify/audit/audit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -132,6 +133,60 @@ TEST(Audit, NamesScaleOfPosts) {
   ExpectSuspicion(WithFault(Kind::kScale, "posts", 0.05), Kind::kScale, "posts", 1 / 1.05 - 1);
 }
 
+TEST(Audit, NamesWheelpans) {
+  ExpectSuspicion(WithFault(Kind::kWheelpan, "F_front", -14), Kind::kWheelpan, "F_front", 14);
+  ExpectSuspicion(WithFault(Kind::kWheelpan, "all load cells", 14), Kind::kWheelpan, "all load cells", -14);
+}
+
+/// 14 kg more on the post of the front tyre than the file has.
+AuditSubject WithHeavierPan() {
+  const AuditSubject bar = Bar(1);
+  return Corrected(bar, Fault(bar, Kind::kWheelpan, "F_front"), -14);
+}
+
+TEST(Audit, AWheelpanThatAParameterSetsIsUnknownWithinItsReach) {
+  AuditSubject bar = WithHeavierPan();
+  ASSERT_FALSE(AuditRig(bar).suspicions.empty());
+  bar.car.reach = Eigen::Vector2d(bar.car.reach[0], 20);
+  bar.car.balance->inertia_slope.emplace_back(Eigen::RowVector2d::Zero());
+  bar.car.balance->gravity_slope.emplace_back(Eigen::RowVector2d::Zero());
+  bar.weight->slope = Eigen::Vector2d(9.81, 0);
+  bar.car.tyres[0].wheelpan_slope = Eigen::Vector2d(0, 1);
+  const Audit free = AuditRig(bar);
+  EXPECT_TRUE(free.suspicions.empty());
+  EXPECT_LT(free.misfit, 1.1);
+  // Not far beyond it: masses stay within three times their reach.
+  bar.car.reach[1] = 0.5;
+  EXPECT_FALSE(AuditRig(bar).suspicions.empty());
+}
+
+// Found one after the other, by derivatives, a wheelpan takes its part of the tyre's rate: 55 kg of 60.
+TEST(Audit, WeighsAWheelpanTogetherWithTheRateOfItsTyre) {
+  AuditSubject bar = Bar(1);
+  bar = Corrected(bar, Fault(bar, Kind::kWheelpan, "F_front"), -60);
+  bar = Corrected(bar, Fault(bar, Kind::kDelay, "strut"), -0.012);
+  const Audit audit = AuditRig(bar);
+  const auto named = [&](Kind kind, const std::string& name, double size, double within) {
+    return std::any_of(audit.suspicions.begin(), audit.suspicions.end(), [&](const Suspicion& one) {
+      return one.fault.kind == kind && one.fault.name == name && std::abs(one.size - size) < within;
+    });
+  };
+  // 1.5 standard deviations, which are mostly of what a good rig may be off by: these readings are not.
+  EXPECT_TRUE(named(Kind::kWheelpan, "F_front", 60, 4));
+  EXPECT_TRUE(named(Kind::kDelay, "strut", 0.012, 0.001));
+}
+
+TEST(Audit, TellsTheWheelpanOfALoadCell) {
+  const std::optional<FoundWheelpan> heavier = WheelpanBy(AuditRig(WithHeavierPan()), "F_front", 14);
+  ASSERT_TRUE(heavier);
+  EXPECT_NEAR(heavier->kg, 14, 4 * heavier->sd);
+  // None beside the file's would have been seen.
+  const std::optional<FoundWheelpan> same = WheelpanBy(AuditRig(Bar(1)), "F_front", 14);
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->kg, 0);
+  EXPECT_FALSE(WheelpanBy(AuditRig(Bar(1)), "F_front", 0.1));
+}
+
 TEST(Audit, NamesAChannelThatMeasuresSomethingElse) {
   AuditSubject bar = Bar(1);
   RandomStream noise(7, "audit test");
@@ -158,9 +213,12 @@ TEST(Audit, SaysWhatRedundancyDoesNotShow) {
   bar.weight.reset();
   bar.car.reach.resize(0);
   bar.car.balance.reset();
-  for (const Resolution& resolution : AuditRig(bar).resolutions)
-    // A bound on coordinates is all that is left: a sensor may be off by any size that moves them within it.
-    EXPECT_GT(resolution.Seen(), 1) << resolution.fault.name;
+  // A bound on coordinates is all that is left: a sensor may be off by any size that moves them within it. Sizes beyond
+  // a whole reading and a period are none.
+  const Audit audit = AuditRig(bar);
+  EXPECT_FALSE(audit.is_redundant);
+  for (const Resolution& resolution : audit.resolutions)
+    EXPECT_FALSE(std::isfinite(resolution.sd)) << resolution.fault.name;
 }
 
 TEST(AuditEquations, CoordinatesLeaveNothingOver) {

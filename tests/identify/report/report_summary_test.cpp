@@ -145,6 +145,21 @@ TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
   EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("fit a richer one"), Not(HasSubstr("State the noise"))));
 }
 
+// What the fit found first is a delay: no mechanism is asked for before it is corrected.
+TEST(Summary, AsksToCorrectAChannelBeforeAMechanism) {
+  Json result = Good();
+  result["misfit"] = 2.2;
+  result["audit"] = Json::parse(R"({"misfit": 0.9, "suspicions": [], "resolutions": [{"seen_from": 0.02}]})");
+  result["channels"][1].update(Json::parse(R"({"misfit": 4, "worst": {"lower_Hz": 16, "upper_Hz": 28}})"));
+  result["missing"] = Json::parse(R"({"tried": 9, "suggestions": [
+      {"mechanism": "delay", "text": "delay of 's_strut'", "expected": "6.94 ms", "fall_percent": 29}]})");
+  const auto asks =
+      AllOf(HasSubstr("Check the wiring: delay of &#39;s_strut&#39; (6.94 ms)"), Not(HasSubstr("suspects no channel")));
+  EXPECT_THAT(SummaryOf(result, Known()), asks);
+  result["missing"]["suggestions"][0]["mechanism"] = "friction";
+  EXPECT_THAT(SummaryOf(result, Known()), Not(asks));
+}
+
 // Neither explained nor missed.
 TEST(Summary, TellsAMisfitThatIsLittleMore) {
   Json result = Good();

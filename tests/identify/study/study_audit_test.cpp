@@ -1,8 +1,13 @@
 #include "identify/study/study_audit.h"
 
+#include <cmath>
+#include <limits>
+#include <numbers>
+
 #include <gmock/gmock.h>
 
 #include "identify/experiments/four_post/findings.h"
+#include "identify/study/audit_text.h"
 #include "identify/study/findings.h"
 #include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
@@ -90,6 +95,26 @@ TEST(StudyAudit, IsSilentOfWhatACalibrationAllowsFor) {
   EXPECT_THAT(Findings(study), Reports(kRigScale));
 }
 
+/// Mass between a load cell and its tyre in the recordings.
+void AddWheelpan(LoadedStudy& study, const std::string& name, double kg, std::size_t post) {
+  for (MeasuredRun& run : Sines(study).runs) {
+    std::vector<std::complex<double>>& response = Channel(run, study, name).response;
+    for (std::size_t i = 0; i < response.size(); ++i)
+      response[i] -=
+          kg * std::pow(2 * std::numbers::pi * run.excitation.frequency_Hz[i], 2) * run.excitation.shape[post];
+  }
+}
+
+TEST(StudyAudit, NamesAWheelpanOfAnotherMassThanStated) {
+  LoadedStudy study = ShippedStudy("model1");
+  for (Sensor& sensor : study.vehicle.sensors)
+    if (sensor.name == "F_tyre_rear") sensor.wheelpan = {.value = 30};
+  AddWheelpan(study, "F_tyre_rear", 42, 1);
+  const Diagnostics found = Findings(study);
+  EXPECT_THAT(found, Reports(kRigWheelpan));
+  EXPECT_THAT(found.Format(), testing::ContainsRegex("wheelpan of 'F_tyre_rear': about 4[0-4][^,]*, 30 kg in the"));
+}
+
 TEST(StudyAudit, UnitIsNamedByItsRatio) {
   LoadedStudy study = ShippedStudy();
   Scale(study, "s_strut_rear", 25.4);
@@ -99,11 +124,21 @@ TEST(StudyAudit, UnitIsNamedByItsRatio) {
 TEST(StudyAudit, SaysWhichConditionItLacks) {
   LoadedStudy study = ShippedStudy();
   Diagnostics found;
-  found.Report(kWheelpanForgotten, {}, {"F_tyre_FL", "25", ""});
-  EXPECT_THAT(NoAuditText(study, found), testing::HasSubstr("correct [wheelpan-forgotten] first"));
+  found.Report(kPostsMoveOtherwise, {}, {"bounce", "heave", "3", "pitch", "0.9", "0.1"});
+  EXPECT_THAT(NoAuditText(study, found), testing::HasSubstr("correct [posts-move-otherwise] first"));
   Sines(study).runs.clear();
   EXPECT_FALSE(AuditStudy(study));
   EXPECT_THAT(NoAuditText(study, {}), testing::HasSubstr("this study fits neither"));
+}
+
+TEST(StudyAudit, PrintsNoSizeThatIsNotSeen) {
+  Audit audit = AuditStudy(ShippedStudy()).value();
+  for (Resolution& resolution : audit.resolutions)
+    if (resolution.fault.name == "a_cg") resolution.sd = std::numeric_limits<double>::infinity();
+  for (ChannelRest& channel : audit.channels)
+    if (channel.name == "a_cg") channel.share = 1e-7;
+  // "a_cg  -  0.4  -  -": no share of rounding either.
+  EXPECT_THAT(AuditText(audit), testing::ContainsRegex("\na_cg +- +[0-9.]+ +- +- +-"));
 }
 
 TEST(StudyAudit, JsonHasWhatTheTableHas) {

@@ -165,11 +165,11 @@ TEST(RecordingLint, TellsOfAForgottenWheelpan) {
   LoadedStudy study = ShippedStudy("model1");
   AddWheelpan(study, "F_tyre_rear", 50, 1);
   EXPECT_THAT(Lint(study), Reports(kWheelpanForgotten, LineOf(study, "F_tyre_rear")));
-  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5]) kg"));
+  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5])(\\.[0-9]+)? kg"));
   LoadedStudy full = ShippedStudy("full");
   AddWheelpan(full, "F_tyre_FL", 25, 0);
   EXPECT_THAT(Lint(full), Reports(kWheelpanForgotten, LineOf(full, "F_tyre_FL")));
-  EXPECT_THAT(Lint(full).Format(), ContainsRegex("'F_tyre_FL' about 2[2-8] kg"));
+  EXPECT_THAT(Lint(full).Format(), ContainsRegex("'F_tyre_FL' about 2[2-8](\\.[0-9]+)? kg"));
 }
 
 // One warning for all, with the mass, where it is written, and the sensors that have it.
@@ -184,14 +184,24 @@ TEST_P(EveryStudy, TellsOfWheelpansForgottenOnAllPosts) {
   ASSERT_EQ(found.items().size(), 1u) << found.Format();
   EXPECT_THAT(found, Reports(kWheelpanForgotten, found.items()[0].place.line,
                              {is_planar ? "(F_pan_front, F_pan_rear)" : "(F_pan_FL, F_pan_FR, F_pan_RL, F_pan_RR)"}));
-  EXPECT_THAT(found.Format(), ContainsRegex(is_planar ? "wheelpan=\"(4[7-9]|5[0-2]) kg\"" : "wheelpan=\"2[3-6] kg\""));
+  EXPECT_THAT(found.Format(), ContainsRegex(is_planar ? "wheelpan=\"(4[7-9]|5[0-2])(\\.[0-9]+)? kg\""
+                                                      : "wheelpan=\"2[3-6](\\.[0-9]+)? kg\""));
+}
+
+// The model at the values of the file says that there is one, the channels say how heavy it is.
+TEST(RecordingLint, WeighsAForgottenWheelpanWhateverTheFilesMassesAndRatesAre) {
+  LoadedStudy study = ShippedStudy("model1");
+  AddWheelpan(study, "F_tyre_rear", 50, 1);
+  for (Parameter& parameter : study.vehicle.parameters) parameter.value = 0.5 * (parameter.value + parameter.upper);
+  // As with the values of the file.
+  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5])(\\.[0-9]+)? kg"));
 }
 
 TEST(RecordingLint, TellsOfAWheelpanTakenOutTwice) {
   LoadedStudy study = ShippedStudy("model1");
   AddWheelpan(study, "F_tyre_rear", -50, 1);
   EXPECT_THAT(Lint(study), Reports(kWheelpanTakenOut, LineOf(study, "F_tyre_rear")));
-  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5]) kg"));
+  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5])(\\.[0-9]+)? kg"));
 }
 
 // As friction or another tyre leave over.
