@@ -60,102 +60,6 @@ double StrokeTo(double tension_m, const DahlFriction& law) {
   return std::copysign(-sliding_m * std::log1p(-share), tension_m);
 }
 
-/// Unknowns by Levenberg and Marquardt. Residuals cost a simulation each, so derivatives follow by Broyden's rule
-/// (Math. Comp. 19, 1965) from step to step, and are differenced anew where that goes no further: the end is theirs.
-class StartEstimate {
- public:
-  using Residuals = std::function<VectorXd(const VectorXd&)>;
-
-  StartEstimate(const Residuals& residuals, const VectorXd& guess, const VectorXd& reach)
-      : residuals_(residuals), reach_(reach), unknowns_(guess), now_(residuals(guess)) {}
-
-  EstimatedStart Run() {
-    constexpr int kMost = 60;
-    // Gains below it are rounding.
-    constexpr double kLeastGain = 1e-11;
-    // By followed derivatives the optimum is not quite that of the residuals.
-    constexpr double kLeastFollowed = 1e-6;
-    Difference();
-    for (int i = 0; i < kMost; ++i) {
-      const bool is_differenced = is_differenced_;
-      const double gain = Step();
-      if (is_differenced && !(gain > kLeastGain)) break;
-      if (!(gain > kLeastFollowed)) Difference();
-    }
-    const Index free = std::max<Index>(1, now_.size() - unknowns_.size());
-    return {.unknowns = unknowns_, .covariance = covariance_ * now_.squaredNorm() / static_cast<double>(free)};
-  }
-
- private:
-  void Difference() {
-    // Metres and metres per second; the motion is as exact as rounding.
-    constexpr double kApart = 1e-6;
-    jacobian_.resize(now_.size(), unknowns_.size());
-    for (Index j = 0; j < unknowns_.size(); ++j) {
-      VectorXd moved = unknowns_;
-      const double step = std::min(kApart, 0.01 * reach_[j]);
-      // Inward.
-      const double apart = moved[j] + step > reach_[j] ? -step : step;
-      moved[j] += apart;
-      if (apart == 0) jacobian_.col(j).setZero();
-      else jacobian_.col(j) = (residuals_(moved) - now_) / apart;
-    }
-    is_differenced_ = true;
-  }
-
-  /// The share by which the squares fall; zero where they do not.
-  double Step() {
-    MatrixXd jacobian = jacobian_;
-    // What would leave its reach stays, and is known there.
-    for (Index j = 0; j < unknowns_.size(); ++j)
-      if (std::abs(unknowns_[j]) >= reach_[j] && -jacobian.col(j).dot(now_) * unknowns_[j] > 0)
-        jacobian.col(j).setZero();
-    const MatrixXd normal = jacobian.transpose() * jacobian;
-    const VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });
-    const MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-    const VectorXd right = scale.cwiseProduct(jacobian.transpose() * now_);
-    if (is_differenced_)
-      covariance_ = scale.asDiagonal() * LeastNorm(scaled, 1e-10).PseudoInverse() * scale.asDiagonal();
-    // A followed derivative that fails is not worth many trials.
-    const double most = is_differenced_ ? 1e6 : 1e-2;
-    for (; damping_ < most; damping_ *= 10) {
-      MatrixXd damped = scaled;
-      damped.diagonal().array() += damping_;
-      const VectorXd step = scale.cwiseProduct(Solved(damped, right));
-      const VectorXd moved = (unknowns_ - step).cwiseMin(reach_).cwiseMax(-reach_);
-      const VectorXd there = residuals_(moved);
-      const double gain = 1 - there.squaredNorm() / now_.squaredNorm();
-      if (!(gain > 0)) continue;
-      Follow(moved - unknowns_, there);
-      damping_ = std::max(1e-12, damping_ / 100);
-      return gain;
-    }
-    if (!is_differenced_) damping_ = kFirstDamping;
-    return 0;
-  }
-
-  void Follow(const VectorXd& step, const VectorXd& there) {
-    // Unknowns by what they change in the residuals, whatever their units.
-    const VectorXd along = step.cwiseProduct(jacobian_.colwise().squaredNorm().transpose());
-    if (const double square = along.dot(step); square > 0)
-      jacobian_ += (there - now_ - jacobian_ * step) * along.transpose() / square;
-    unknowns_ += step;
-    now_ = there;
-    is_differenced_ = false;
-  }
-
-  static constexpr double kFirstDamping = 1e-6;
-
-  const Residuals& residuals_;
-  const VectorXd& reach_;
-  VectorXd unknowns_;
-  VectorXd now_;
-  MatrixXd jacobian_;
-  MatrixXd covariance_;
-  double damping_ = kFirstDamping;
-  bool is_differenced_ = false;
-};
-
 }  // namespace
 
 VectorXd Release::Reach(const CondensedModel& model) const {
@@ -237,8 +141,54 @@ VectorXd ReleasedState(const Release& release, const CondensedModel& model, cons
 
 EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& residuals, const VectorXd& guess,
                              const VectorXd& reach) {
-  if (guess.size() == 0) return {.unknowns = guess};
-  return StartEstimate(residuals, guess, reach).Run();
+  constexpr int kMost = 30;
+  // Metres and metres per second; the motion is as exact as rounding.
+  constexpr double kApart = 1e-6;
+  // Gains below it are rounding.
+  constexpr double kLeastGain = 1e-11;
+  EstimatedStart out{.unknowns = guess};
+  const Index count = guess.size();
+  if (count == 0) return out;
+  VectorXd now = residuals(out.unknowns);
+  MatrixXd jacobian(now.size(), count);
+  double damping = 1e-6;
+  for (int i = 0; i < kMost; ++i) {
+    for (Index j = 0; j < count; ++j) {
+      VectorXd moved = out.unknowns;
+      const double step = std::min(kApart, 0.01 * reach[j]);
+      // Inward.
+      const double apart = moved[j] + step > reach[j] ? -step : step;
+      moved[j] += apart;
+      if (apart == 0) jacobian.col(j).setZero();
+      else jacobian.col(j) = (residuals(moved) - now) / apart;
+      // What would leave its reach stays, and is known there.
+      const double outward = -jacobian.col(j).dot(now) * out.unknowns[j];
+      if (std::abs(out.unknowns[j]) >= reach[j] && outward > 0) jacobian.col(j).setZero();
+    }
+    const MatrixXd normal = jacobian.transpose() * jacobian;
+    const VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });
+    const MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    const VectorXd right = scale.cwiseProduct(jacobian.transpose() * now);
+    out.covariance = scale.asDiagonal() * LeastNorm(scaled, 1e-10).PseudoInverse() * scale.asDiagonal();
+    double gain = 0;
+    for (; damping < 1e6; damping *= 10) {
+      MatrixXd damped = scaled;
+      damped.diagonal().array() += damping;
+      const VectorXd moved =
+          (out.unknowns - scale.cwiseProduct(Solved(damped, right))).cwiseMin(reach).cwiseMax(-reach);
+      const VectorXd there = residuals(moved);
+      gain = 1 - there.squaredNorm() / now.squaredNorm();
+      if (!(gain > 0)) continue;
+      out.unknowns = moved;
+      now = there;
+      damping = std::max(1e-12, damping / 100);
+      break;
+    }
+    if (!(gain > kLeastGain)) break;
+  }
+  const Index free = std::max<Index>(1, now.size() - count);
+  out.covariance *= now.squaredNorm() / static_cast<double>(free);
+  return out;
 }
 
 }  // namespace fourpost
