@@ -452,5 +452,59 @@ class PredictResponse(ProgramTest):
         self.assertIn("is a frequency response", self.predict(PITCH, "--kalman", code=2).stderr)
 
 
+class Release(ProgramTest):
+    """A linear quarter car that is let go, integrated by Runge and Kutta's rule, without noise."""
+
+    def drop(self, name, held_m, start_s=0.0):
+        mass, unsprung, k, kt, c = 200.0, 22.0, 15e3, 230e3, 1500.0
+
+        def slopes(state):
+            z, y, v, u = state
+            force = k * (z - y) + c * (v - u)
+            return v, u, -force / mass, (force - kt * y) / unsprung
+        state, step, rows = (held_m, k * held_m / (k + kt), 0.0, 0.0), 5e-4, []
+        rows += [f"{i * 2e-3:.4f},{held_m:.9g},0" for i in range(round(start_s / 2e-3))]
+        for i in range(3000):
+            if i % 4 == 0:
+                rows.append(f"{start_s + i * step:.4f},{state[0]:.9g},{slopes(state)[2]:.9g}")
+            parts = []
+            for share in (0, 0.5, 0.5, 1):
+                parts.append(slopes([s + share * step * (parts[-1][j] if parts else 0) for j, s in enumerate(state)]))
+            state = [s + step / 6 * (a + 2 * b + 2 * d + e) for s, a, b, d, e in zip(state, *parts)]
+        self.write(name, "time,z_sprung,a_sprung\ns,m,m/s^2\n" + "\n".join(rows) + "\n")
+
+    def test_predicts_a_drop_from_another_height(self):
+        self.drop("low.csv", 0.02)
+        self.drop("high.csv", 0.03, start_s=0.4)
+        self.write("study.yaml", f"vehicle: {SOURCE}/urdf/quarter_car.urdf\nfree: [c_bump, c_rebound]\nhistories:\n"
+                   "  - file: low.csv\n    release: {z_sprung: 20 mm}\n"
+                   "    channels: {z_sprung: z_sprung, a_sprung: a_sprung}\nsearch: {evaluations: 10, starts: 1}\n")
+        self.run_program("fit", "study.yaml", "-o", "run")
+
+        def nmse(*options):
+            answer = self.run_program("predict", "run", "--recording", "high.csv", "--start", "0.4s", "--json", *options)
+            return json.loads(answer.stdout)["channels"][0]["nmse_percent"], answer.stderr
+        right, silent = nmse("--release", "z_sprung=30 mm")
+        self.assertNotIn("[release-of-study]", silent)
+        # The rounding of nine digits and the integration's error of 1e-3, squared.
+        self.assertLess(right, 1e-3)
+        self.assertLess(nmse("--release", "at rest")[0], 1e-3)
+        # From 20 mm a linear car moves by two thirds: a ninth of the variance is missed.
+        wrong, told = nmse()
+        self.assertIn("[release-of-study]", told)
+        self.assertAlmostEqual(wrong, 100 / 9, delta=0.5)
+
+    def test_is_refused_where_nothing_is_let_go(self):
+        self.drop("low.csv", 0.02)
+        self.write("study.yaml", f"vehicle: {SOURCE}/urdf/quarter_car.urdf\nfree: [c_bump, c_rebound]\nhistories:\n"
+                   "  - file: low.csv\n    release: at rest\n    channels: {z_sprung: z_sprung}\n"
+                   "search: {evaluations: 5, starts: 1}\n")
+        self.run_program("fit", "study.yaml", "-o", "run")
+        words = ["predict", "run", "--recording", "low.csv"]
+        self.assertIn("[release-option]", self.run_program(*words, "--release", "z_sprung=50", code=2).stderr)
+        self.assertIn("[option-quantity]", self.run_program(*words, "--start", "3N", code=2).stderr)
+
+
+
 if __name__ == "__main__":
     unittest.main()
