@@ -15,7 +15,10 @@ struct DraftStatements {
   std::vector<PostChannel> posts = {};
 };
 
-/// Throws FaultyInput where one names none of these channels, or no post of the vehicle.
-void CheckStatements(const DraftStatements& stated, const Vehicle& vehicle, const std::vector<std::string>& channels);
+/// Throws FaultyInput where one names no post of the vehicle; before a file is read by them.
+void CheckStatedPosts(const DraftStatements& stated, const Vehicle& vehicle);
+
+/// Throws FaultyInput where one names none of these channels.
+void CheckStatements(const DraftStatements& stated, const std::vector<std::string>& channels);
 
 }  // namespace fourpost

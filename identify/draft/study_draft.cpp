@@ -76,6 +76,7 @@ class Drafter {
   Drafter(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study,
           const DraftStatements& stated, const WorkHooks& hooks)
       : vehicle_(vehicle), study_(study), stated_(stated), hooks_(hooks) {
+    CheckStatedPosts(stated, vehicle);
     for (const fs::path& file : files) {
       hooks_.Show("reading " + file.filename().string() + ", file " + std::to_string(readings_.size() + 1) + " of " +
                   std::to_string(files.size()));
@@ -87,7 +88,7 @@ class Drafter {
   StudyDraft Draft() {
     std::vector<std::string> columns;
     for (const FileReading& one : readings_) columns.insert(columns.end(), one.columns.begin(), one.columns.end());
-    CheckStatements(stated_, vehicle_, columns);
+    CheckStatements(stated_, columns);
     const std::vector<std::size_t> none;
     const Subject subject(vehicle_, none, study_);
     std::optional<CondensedModel> model;
