@@ -135,7 +135,12 @@ TEST(Audit, NamesScaleOfPosts) {
 
 TEST(Audit, NamesWheelpans) {
   ExpectSuspicion(WithFault(Kind::kWheelpan, "F_front", -14), Kind::kWheelpan, "F_front", 14);
-  ExpectSuspicion(WithFault(Kind::kWheelpan, "all load cells", 14), Kind::kWheelpan, "all load cells", -14);
+  // Each is weighed, where several are of one mass as well.
+  const Audit both = WithFault(Kind::kWheelpan, "all load cells", 14);
+  ExpectSuspicion(both, Kind::kWheelpan, "F_front", -14);
+  ASSERT_EQ(both.suspicions.size(), 2U);
+  EXPECT_EQ(both.suspicions[1].fault.name, "F_rear");
+  EXPECT_NEAR(both.suspicions[1].size, -14, 4 * both.suspicions[1].sd);
 }
 
 /// 14 kg more on the post of the front tyre than the file has.
