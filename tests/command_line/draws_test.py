@@ -2,11 +2,10 @@
 import csv
 import json
 import math
-import shutil
 import statistics
 import unittest
 
-from program import ProgramTest
+from program import FittedStarter
 
 
 def log_deviation(draws, parameter):
@@ -14,17 +13,7 @@ def log_deviation(draws, parameter):
     return statistics.pstdev(math.log(row[parameter]) for row in draws)
 
 
-class Draws(ProgramTest):
-    @classmethod
-    def setUpClass(cls):
-        cls.make_kept()
-        cls.run_kept("init", "car")
-        cls.run_kept("fit", "car/study.yaml", "-o", "run")
-
-    def setUp(self):
-        super().setUp()
-        shutil.copytree(self.kept, self.folder, dirs_exist_ok=True)
-
+class Draws(FittedStarter):
     def draw(self, *options):
         return json.loads(self.run_program("draws", "run", "--json", *options).stdout)
 

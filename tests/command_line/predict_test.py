@@ -490,8 +490,8 @@ class Release(ProgramTest):
         self.assertLess(right, 1e-3)
         self.assertLess(nmse("--release", "at rest")[0], 1e-3)
         # From 20 mm a linear car moves by two thirds: a ninth of the variance is missed.
-        wrong, told = nmse()
-        self.assertIn("[release-of-study]", told)
+        wrong, warnings = nmse()
+        self.assertIn("[release-of-study]", warnings)
         self.assertAlmostEqual(wrong, 100 / 9, delta=0.5)
 
     def test_is_refused_where_nothing_is_let_go(self):

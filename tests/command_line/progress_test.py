@@ -66,11 +66,11 @@ class Progress(ProgramTest):
                    "  - {file: drop.csv, release: estimated, channels: {z_sprung: z}}\n")
         program = self.start(["fit", "drop.yaml", "-o", "drop", "--threads", "1", "--accept-implausible"], subprocess.PIPE)
         ends = time.monotonic() + 120
-        told = b""
-        while b" s so far, " not in told and time.monotonic() < ends and program.poll() is None:
-            told += os.read(program.stderr.fileno(), 1000)
+        shown = b""
+        while b" s so far, " not in shown and time.monotonic() < ends and program.poll() is None:
+            shown += os.read(program.stderr.fileno(), 1000)
         program.stderr.close()
-        self.assertRegex(told.decode(), r"(?m)^\d+ s so far, identifiability: \d+ evaluations")
+        self.assertRegex(shown.decode(), r"(?m)^\d+ s so far, identifiability: \d+ evaluations")
 
     def test_is_whole_where_there_is_room(self):
         for line in self.updates(250, FIT, 5):
